@@ -91,7 +91,8 @@ pub(crate) fn assert_meets(made: &Frame) {
 #[test]
 fn a_ball_by_angles_and_by_arc_lengths() {
     // Differently many points, from different starts, some backwards.
-    let sections = Sections::from_sections(heights().enumerate().map(|(k, z)| circle(z, 20 + 3 * k, 0.3 * k as f64, k % 2 == 1)));
+    let sections =
+        Sections::from_sections(heights().enumerate().map(|(k, z)| circle(z, 20 + 3 * k, 0.3 * k as f64, k % 2 == 1)));
     let by_angle =
         Correspondence::Angle { columns: 12, axis: straight(DVec3::ZERO, DVec3::Z * 5.0), reference: DVec3::X };
     let made = sections.make(true, &options(by_angle)).unwrap();

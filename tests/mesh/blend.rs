@@ -14,7 +14,7 @@ use gusset::stitch::{
 const BLEND: Options = Options { finish: Finish::Blend, ..OPTIONS };
 const OPTIONS: Options = Options {
     meridians: Meridians::Continuation,
-    search: gusset::stitch::Search::Auto,
+    search: gusset::stitch::MeridianSearch::Auto,
     start: gusset::stitch::Start::Auto,
     orientation: gusset::stitch::Orientation::Fix,
     twist: 0,

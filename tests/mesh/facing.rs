@@ -76,7 +76,7 @@ fn coaxial_rims_lie_in_their_planes() {
 fn concentric_rims_have_no_direction() {
     let (a, b) = (circle(60, 2.0, 0.0, DVec3::ZERO), circle(40, 1.0, 0.3, DVec3::ZERO));
     assert_eq!(facing(&a, &b, Some(1e-12), Run::Longest), Err(Error::PlanesUndecided { side: Side::A }));
-    assert_eq!(squareness(&a, &Planes::of(&a, &a, Centres::Vertices)), 0.0);
+    assert_eq!(squareness(&a, &Planes::new(&a, &a, Centres::Vertices)), 0.0);
 }
 
 /// A thick letter C, open towards +x, of `n` steps along each side.
@@ -221,7 +221,7 @@ fn a_centre_by_length_is_not_drawn_to_crowded_vertices() {
     let angles = (0..200).map(|i| PI * f64::from(i) / 200.0).chain((0..20).map(|i| PI + PI * f64::from(i) / 20.0));
     let crowded: Vec<_> = angles.map(|t| DVec3::new(t.cos(), t.sin(), 0.0)).collect();
     let other = circle(64, 1.0, 0.0, DVec3::new(3.0, 0.0, 0.0));
-    let planes = |centres| Planes::of(&crowded, &other, centres);
+    let planes = |centres| Planes::new(&crowded, &other, centres);
     assert!(planes(Centres::Vertices).centres[0].y > 0.4);
     // The polygon is 1 / 400 thinner on the coarse side, no more.
     assert!(planes(Centres::Length).centres[0].length() < 0.01);

@@ -45,7 +45,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         ..Options::default()
     };
     let trimmed = trim(&pieces, &options, &job.part(0.0, 0.9))?;
-    let mut left = Remains::of(&pieces, &trimmed, &job.part(0.9, 1.0))?;
+    let mut left = Remains::new(&pieces, &trimmed, &job.part(0.9, 1.0))?;
     left.keep_splits(&alloc::gather(pieces.iter())?, &job.part(1.0, 1.0))?;
     let report = report(&pieces, &trimmed);
     let origins = values.origins(|| Origins::from_remains(&pieces, &left, &job.part(1.0, 1.0)))?;

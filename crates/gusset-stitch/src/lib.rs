@@ -5,7 +5,7 @@
 //! the paper are in `docs/errata.md`. Other modules follow the articles that their pages name.
 //!
 //! Every operation takes a [`MeshView`](gusset_mesh::MeshView) of the host's arrays and returns a [`Mesh`](gusset_mesh::Mesh) with
-//! an account. Old vertices keep their bits. Positions are in single or double precision;
+//! a report. Old vertices keep their bits. Positions are in single or double precision;
 //! computations are in double precision.
 //!
 //! | module | task | source |

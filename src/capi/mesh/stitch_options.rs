@@ -6,7 +6,7 @@ use crate::capi::status::Failure;
 use crate::repair::orient::Outward;
 use crate::stitch::facing::{Arc, Centres, Run};
 use crate::stitch::{
-    Cells, Extent, Fairing, Finish, Intersections, Meridians, Options, Orientation, Rows, Search, Start,
+    Cells, Extent, Fairing, Finish, Intersections, MeridianSearch, Meridians, Options, Orientation, Rows, Start,
 };
 
 /// Rule for the meridians. A meridian is an edge of the strip from rim A to rim B.
@@ -237,7 +237,7 @@ c_enum! {
         GUSSET_MERIDIANS_QUAD => Quad,
         GUSSET_MERIDIANS_MIN_AREA => MinArea,
     }
-    search: Search { GUSSET_SEARCH_AUTO => Auto, GUSSET_SEARCH_EXACT => Exact }
+    search: MeridianSearch { GUSSET_SEARCH_AUTO => Auto, GUSSET_SEARCH_EXACT => Exact }
     start: Start { GUSSET_START_AUTO => Auto, GUSSET_START_CLOSEST => Closest }
     orientation: Orientation { GUSSET_ORIENTATION_FIX => Fix, GUSSET_ORIENTATION_REFUSE => Refuse, GUSSET_ORIENTATION_KEEP => Keep }
     run: Run { GUSSET_RUN_CLOSEST => Closest, GUSSET_RUN_LONGEST => Longest }

@@ -281,7 +281,8 @@ fn what_files_round_apart_is_sewn_too() {
     written.points.iter_mut().flatten().for_each(|x| *x = format!("{x:.6e}").parse().unwrap());
     let done = sewn(&written, &Options::default());
     assert_closed(&done.mesh, 0);
-    let [old, new] = [volume(soup_positions(&exact), exact.faces()), volume(mesh_positions(&done.mesh), faces_of(&done.mesh))];
+    let [old, new] =
+        [volume(soup_positions(&exact), exact.faces()), volume(mesh_positions(&done.mesh), faces_of(&done.mesh))];
     assert!((old / new - 1.0).abs() < 1e-6);
     let points: Vec<[f32; 3]> = exact.points.iter().map(|p| p.map(|x| x as f32)).collect();
     let faces = Faces::polygons(&exact.offsets, &exact.corners).unwrap();

@@ -1,103 +1,104 @@
-//! Options, results, and why a piece is not trusted.
+//! Options and results of an alignment, and reasons not to trust a piece.
 
 use super::pose::Pose;
 
-/// Where the pieces are to begin with.
+/// The initial positions of the pieces.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Start<'a> {
-    /// Where their positions say.
+    /// The given positions.
     #[default]
     AsGiven,
-    /// Moved by these, one for each piece.
+    /// The given positions moved by these poses, one for each piece.
     Poses(&'a [Pose]),
-    /// Each with its principal axes on those of the first piece, in the one of the four ways to do
-    /// so that fits best. For pieces that show the same object whole.
+    /// Each piece's principal axes on the first piece's, in the best of the four possible ways. For
+    /// pieces that each show the whole object.
     PrincipalAxes,
-    /// By rims that run alike: for pieces of one surface that was cut or broken. See
-    /// [`Overlap`] for what holds such pieces.
+    /// Matching rims, for pieces of one surface that was cut or broken. [`Overlap`] then describes
+    /// the rims.
     Rims,
 }
 
-/// How to align.
+/// Options of [`align`](super::align()).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options<'a> {
-    /// Where the pieces begin.
+    /// The initial positions of the pieces.
     pub start: Start<'a>,
-    /// Points that are farther than this from another piece are no pair with it, in the unit of the
-    /// positions; `None`: a tenth of the diagonal of the largest piece's box.
+    /// The largest distance of a pair of points on two pieces, in the unit of the positions; `None`
+    /// means a tenth of the diagonal of the largest piece's box.
     pub max_distance: Option<f64>,
-    /// So many points of each piece are looked for on the others; 0: 2,000.
+    /// The number of points of each piece to look for on the others; 0 means 2,000.
     pub samples: u32,
-    /// Rounds at the most; 0: 100.
+    /// The largest number of rounds; 0 means 100.
     pub max_rounds: u32,
 }
 
-/// Why a piece is not trusted to lie right.
+/// The reason why a piece is not trusted to be aligned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reason {
-    /// It is: it fits pieces that are trusted, up to the first one. A smooth surface that lies within
-    /// a mean edge of another passes for it.
+    /// The piece is trusted: it fits trusted pieces, in a chain from the first piece. A smooth
+    /// surface within a mean edge of another one counts as fitting.
     Trusted,
-    /// It has no faces, or lies on no other piece, or on too little of one.
+    /// The piece lacks faces, or its overlaps with other pieces are missing or too small.
     NoOverlap,
-    /// Where it overlaps others, too much of it lies off them.
+    /// Too much of the piece lies off the pieces that it overlaps.
     PoorFit,
-    /// The overlaps leave it free to slide or turn, as between planes, spheres or cylinders.
+    /// The overlaps leave the piece free to slide or turn, as between planes, spheres or cylinders.
     Undetermined,
-    /// Most of what lies on other pieces faces the other way: it is inside out, or mirrored.
+    /// Most of the overlapping surface faces the opposite side: the piece is inside out, or
+    /// mirrored.
     FacesOtherWay,
-    /// It lies on no other piece, and is more than fifty times as large or as small as the first: a
-    /// different unit of length, most likely.
+    /// The piece does not overlap others, and is more than fifty times as large or as small as the
+    /// first. Most likely it uses a different unit of length.
     OtherSize,
-    /// It fits pieces that are not trusted only.
+    /// The piece fits only pieces that are not trusted.
     TrustedByNone,
 }
 
-/// What two pieces have in common, in the end.
+/// The final overlap of two pieces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Overlap {
-    /// The pieces, the smaller number first.
+    /// The pieces, the smaller index first.
     pub pieces: [u32; 2],
     /// The share of each piece's points that lie on the other, from 0 to 1.
     pub shares: [f64; 2],
-    /// The pairs of points.
+    /// The number of pairs of points.
     pub count: u32,
-    /// The mean distance of a point of one piece from the other's surface, by the plane of both
-    /// normals, in the unit of the positions; and the root of the mean square.
+    /// The mean distance of a point of one piece from the other's surface, in the unit of the
+    /// positions. It is measured along the mean of both normals.
     pub mean: f64,
-    /// See above.
+    /// The root mean square of these distances.
     pub rms: f64,
     /// The share of the points near the other piece that lie on it.
     pub fit: f64,
-    /// They fit: see [`Alignment`].
+    /// True if the pieces fit; see [`Alignment`].
     pub trusted: bool,
 }
 
-/// One piece, aligned.
+/// One aligned piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Aligned {
-    /// Takes the piece's positions to their new place.
+    /// The pose that takes the piece's positions to their new places.
     pub pose: Pose,
-    /// Whether it is trusted, and if not, why.
+    /// [`Reason::Trusted`], or the reason why the piece is not trusted.
     pub reason: Reason,
-    /// How well the overlaps hold it: how much the most yielding of its six motions changes the
-    /// distances, as the root of the mean square of the change over the length of the motion; 0 to
-    /// 1. Of the first piece, which stays, 1.
+    /// How well the overlaps hold the piece, from 0 to 1. It is the root mean square change of the
+    /// distances, relative to the length of the motion, for the weakest of the piece's six motions.
+    /// The first piece is fixed, and has 1.
     pub hold: f64,
 }
 
-/// Where the pieces lie, and what is known of it.
+/// The poses of the pieces, and an assessment of each.
 ///
-/// Two pieces fit if at least 30 points lie on each other's surface, and two thirds of the points
-/// near it do.
+/// Two pieces fit if at least 30 points lie on each other's surface, and at least two thirds of the
+/// nearby points do.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Alignment {
     /// The pieces, in their order.
     pub pieces: Vec<Aligned>,
-    /// The pairs with anything in common, by their pieces.
+    /// The pairs of pieces that overlap, ordered by the pieces.
     pub overlaps: Vec<Overlap>,
-    /// Rounds that were done.
+    /// The number of rounds.
     pub rounds: u32,
-    /// Nothing moved any more in the end; otherwise the rounds were not enough.
+    /// True if nothing moved at the end; false if the limit on rounds was reached.
     pub converged: bool,
 }

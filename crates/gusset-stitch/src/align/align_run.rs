@@ -1,11 +1,11 @@
-//! Alignment from the meshes to the account.
+//! The steps of an alignment, from the meshes to the report.
 
 use super::align_request::{Aligned, Alignment, Options, Reason, Start};
-use super::axes::by_axes;
-use super::judge::{NEAR, ON, judge};
+use super::axes::align_axes;
+use super::judge::{NEAR_SPACINGS, ON_SPACINGS, judge};
 use super::member::Member;
 use super::pose::Pose;
-use super::rim_features::by_rims;
+use super::rim_features::align_rims;
 use super::sampled_rim::{Rim, common_step};
 use super::scan::Scan;
 use super::scene::Scene;
@@ -16,30 +16,28 @@ use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 use gusset_mesh::MeshView;
 
-/// Samples of a piece, if the caller says nothing.
+/// Default number of samples of a piece.
 const SAMPLES: u32 = 2000;
-/// Rounds, if the caller says nothing.
+/// Default limit on the rounds.
 const ROUNDS: u32 = 100;
-/// Pairs are no farther apart than this part of the diagonal of the largest piece's box, if the
-/// caller says nothing.
-const REACH: f64 = 0.1;
-/// A pose that differs from a rotation by more is none.
+/// Default limit on the distance of pairs, relative to the diagonal of the largest piece's box.
+const MAX_REACH: f64 = 0.1;
+/// Largest deviation of a pose from a rotation.
 const MAX_SKEW: f64 = 1e-6;
 
-/// Moves pieces that overlap rigidly to where they fit; the first one stays.
+/// Moves overlapping pieces rigidly to where they fit. The first piece is fixed.
 ///
-/// Pieces are told apart by where they are to begin with, which must be within `max_distance` of
-/// right, see [`Start`]. Those that lie on no other stay where they are. What is trusted, and why
-/// not: see [`Reason`].
+/// Overlaps are found from the initial positions, which must be within `max_distance` of the right
+/// ones; see [`Start`]. Pieces without overlaps do not move. [`Reason`] tells which pieces are
+/// trusted.
 ///
 /// O(V log V) for the pieces' vertices, and O(samples log V) for each piece and each of its
 /// neighbours in each round, on the job's threads. Memory: linear in the vertices and faces.
 ///
 /// # Errors
-/// [`Error::EmptyMesh`] without pieces, [`Error::OptionOutOfRange`] for a distance that is not
-/// above 0 or not finite, [`Error::InputsDiffer`] for fewer poses than pieces,
-/// [`Error::NotRigid`] for a pose that is no rotation and translation, [`Error::OutOfMemory`],
-/// [`Error::Cancelled`].
+/// [`Error::EmptyMesh`] without pieces. [`Error::OptionOutOfRange`] for a distance that is not
+/// positive and finite. [`Error::InputsDiffer`] for fewer poses than pieces. [`Error::NotRigid`]
+/// for a pose that is not a rotation and translation. [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Alignment> {
     if pieces.is_empty() {
         return Err(Error::EmptyMesh { what: "pieces" });
@@ -69,7 +67,7 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
     let rim_trees =
         alloc::try_collect(rims.iter().map(|rim| KdTree::new(&rim.points, &prepare.part(1.0, 1.0), "comparing rims")))?;
     let largest = scans.iter().map(|scan| if scan.used.is_empty() { 0.0 } else { scan.bounds.diagonal() });
-    let reach = options.max_distance.map_or(REACH * largest.fold(0.0, f64::max), |distance| distance / unit);
+    let reach = options.max_distance.map_or(MAX_REACH * largest.fold(0.0, f64::max), |distance| distance / unit);
     let members = alloc::collect((0..pieces.len()).map(|k| Member {
         scan: &scans[k],
         tree: &trees[k],
@@ -78,24 +76,25 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
     }))?;
     let scene = Scene { members, reach };
 
-    // Positions are counted from the centre of their own piece, and places from that of the first,
-    // so that nothing is lost far from the origin.
+    // Positions are relative to the centre of their own piece, and poses to the centre of the first
+    // piece, to keep precision far from the origin.
     let origin = scans[0].centre;
     let started = job.part(0.2, 0.4);
     let mut poses = match options.start {
         Start::AsGiven => alloc::collect(scans.iter().map(|scan| shifted(scan.centre - origin)))?,
         Start::Poses(given) => alloc::collect(scans.iter().zip(given).map(|(scan, pose)| {
-            Pose { rotation: pose.rotation, translation: pose.point(scan.centre * unit) / unit - origin }.straightened()
+            Pose { rotation: pose.rotation, translation: pose.point(scan.centre * unit) / unit - origin }
+                .orthonormalised()
         }))?,
-        Start::PrincipalAxes => by_axes(&scene, &started)?,
-        Start::Rims => by_rims(&scene, &started)?,
+        Start::PrincipalAxes => align_axes(&scene, &started)?,
+        Start::Rims => align_rims(&scene, &started)?,
     };
     let rounds = if options.max_rounds == 0 { ROUNDS } else { options.max_rounds };
     let (rounds, converged) = scene.relax(&mut poses, rounds, &job.part(0.4, 0.9))?;
-    let found = scene.find_within(&poses, NEAR, ON, &job.part(0.9, 1.0))?;
+    let found = scene.find_within(&poses, NEAR_SPACINGS, ON_SPACINGS, &job.part(0.9, 1.0))?;
     let (overlaps, known) = judge(&scene.members, &found, unit)?;
     let pieces = poses.iter().zip(&scans).zip(known).map(|((pose, scan), (reason, hold))| {
-        // Rounding is not to move what stays.
+        // Rounding must not move a piece that stays.
         if *pose == shifted(scan.centre - origin) {
             return Aligned { pose: Pose::IDENTITY, reason, hold };
         }
@@ -104,7 +103,7 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
     });
     let pieces: Vec<Aligned> = alloc::collect(pieces)?;
     if pieces.iter().any(|piece| piece.reason != Reason::Trusted) {
-        job.note("not every piece is trusted to lie right: the account of the alignment says why");
+        job.note("not every piece is trusted to be aligned: the report of the alignment gives the reasons");
     }
     Ok(Alignment { pieces, overlaps, rounds, converged })
 }
@@ -118,7 +117,7 @@ fn check_poses(poses: &[Pose], count: usize) -> Result<()> {
         return Err(Error::InputsDiffer { given: poses.len() as u64, needed: count as u64 });
     }
     for (k, pose) in poses.iter().enumerate() {
-        // The skew of what is not finite says nothing: NaN is no maximum.
+        // Test finiteness separately, because the maximum ignores NaN.
         let is_finite = pose.rotation.is_finite() && pose.translation.is_finite();
         if !is_finite || pose.skew() > MAX_SKEW {
             return Err(Error::NotRigid { pose: k as u32 });
@@ -127,7 +126,7 @@ fn check_poses(poses: &[Pose], count: usize) -> Result<()> {
     Ok(())
 }
 
-/// A power of two of the size of all coordinates that faces use.
+/// Returns a power of two near the size of all coordinates that faces use.
 pub(crate) fn common_unit_of(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<f64> {
     let mut largest = glam::DVec3::ZERO;
     for piece in pieces {

@@ -1,4 +1,4 @@
-//! A start by principal axes: those of each piece on those of the first.
+//! An initial alignment by principal axes.
 
 use super::pose::Pose;
 use super::scan::Scan;
@@ -9,16 +9,16 @@ use gusset_base::error::Result;
 use gusset_base::geom::linear::eigen::eigen;
 use gusset_base::job::Job;
 
-/// Rounds of each of the four ways before they are compared.
+/// Number of rounds for each of the four ways before they are compared.
 const ROUNDS: u32 = 10;
 
-/// The four turns by half a circle, or not, about axes.
+/// The four diagonal rotations: the identity, and half turns about the axes.
 const TURNS: [DVec3; 4] =
     [DVec3::ONE, DVec3::new(1.0, -1.0, -1.0), DVec3::new(-1.0, 1.0, -1.0), DVec3::new(-1.0, -1.0, 1.0)];
 
-/// The poses that bring each piece's principal axes to those of the first, in the one of four ways
-/// after which most of it lies on the first. O(pieces) alignments of two.
-pub(super) fn by_axes(scene: &Scene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> {
+/// Returns the poses that align each piece's principal axes with the first piece's. Chooses the one
+/// of the four ways with the largest overlap. O(pieces) alignments of two pieces.
+pub(super) fn align_axes(scene: &Scene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> {
     let count = scene.members.len();
     let mut poses = alloc::filled(Pose::IDENTITY, count)?;
     let Some(first) = scene.members.first() else {
@@ -36,7 +36,8 @@ pub(super) fn by_axes(scene: &Scene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> {
             let start = Pose { rotation, translation: first.scan.mean - rotation * scan.mean };
             let mut both = [Pose::IDENTITY, start];
             two.relax(&mut both, ROUNDS, &part)?;
-            let found = two.find_within(&both, super::judge::NEAR, super::judge::ON, &part.part(1.0, 1.0))?;
+            let found =
+                two.find_within(&both, super::judge::NEAR_SPACINGS, super::judge::ON_SPACINGS, &part.part(1.0, 1.0))?;
             let score = found.iter().map(|(_, found)| found.on).sum::<usize>() as f64;
             if score > best.0 {
                 best = (score, both[1]);
@@ -47,7 +48,7 @@ pub(super) fn by_axes(scene: &Scene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> {
     Ok(poses)
 }
 
-/// The principal axes of a piece as columns, the longest first, right-handed.
+/// Returns the principal axes of a piece as columns, the longest first, right-handed.
 fn axes(scan: &Scan) -> DMat3 {
     let (values, vectors) = eigen(scan.covariance);
     let mut order = [0, 1, 2];

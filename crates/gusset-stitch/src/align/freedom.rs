@@ -1,27 +1,27 @@
-//! The directions in which overlaps do not hold a piece.
+//! The stiffness of overlaps: the directions in which they do not hold a piece.
 
 use super::motion_system::Six;
-use super::sample_pairs::Found;
+use super::sample_pairs::PairReport;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::linear::eigen::eigen;
 
-/// What holds a piece.
+/// The stiffness with which overlaps hold a piece.
 #[derive(Clone, Copy)]
 pub(super) struct Hold {
-    /// The least eigenvalue of the mean of its equations: the mean squared change of distances
-    /// along normals for the motion of length 1 that changes them least.
+    /// The least eigenvalue of the mean of the equations: the mean squared change of distances
+    /// along normals, for the weakest motion of length 1.
     pub(super) least: f64,
-    /// As much of it as the noise of normals makes, where the surfaces do not.
+    /// The part of `least` that noise of the normals explains.
     pub(super) noise: f64,
 }
 
-/// What holds each piece, with all others where they are.
+/// Returns how the overlaps hold each piece if all other pieces are fixed.
 ///
-/// Errors of normals look like slopes that hold. If each of the two normals of a pair has errors of
-/// variance s in either direction, the mean of 1 less the cosine between them is 2 s, and the
-/// variance of their mean normal s / 2.
-pub(super) fn holds(count: usize, found: &[([usize; 2], Found)]) -> Result<Vec<Hold>> {
+/// Errors of normals look like slopes that hold a piece. Suppose that both normals of a pair have
+/// errors of variance s in each direction. Then the mean of 1 minus the cosine between them is 2 s,
+/// and the variance of their mean normal is s / 2.
+pub(super) fn measure_holds(count: usize, found: &[([usize; 2], PairReport)]) -> Result<Vec<Hold>> {
     let mut own: Vec<([Six; 6], f64, f64)> = alloc::filled(([[0.0; 6]; 6], 0.0, 0.0), count)?;
     for (pieces, found) in found {
         let equations = &found.equations;

@@ -1,33 +1,35 @@
-//! What can be trusted: pairs that fit, and the pieces that hang together by them.
+//! The assessment: pairs that fit, and the pieces that are connected by them.
 
 use super::align_request::{Overlap, Reason};
-use super::freedom::holds;
+use super::freedom::measure_holds;
 use super::member::Member;
-use super::sample_pairs::Found;
+use super::sample_pairs::PairReport;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
-/// Points within so many spacings of a piece are near it, and those within one on it.
-pub(super) const NEAR: f64 = 8.0;
-pub(super) const ON: f64 = 1.0;
-/// Fewer points that lie on the other piece are no overlap.
+/// Points are near a piece within this number of spacings, ...
+pub(super) const NEAR_SPACINGS: f64 = 8.0;
+/// ... and on it within this number.
+pub(super) const ON_SPACINGS: f64 = 1.0;
+/// Smallest number of points on the other piece that make an overlap.
 const MIN_COUNT: usize = 30;
-/// At least this share of the points near a piece lies on it.
+/// Smallest share of the points near a piece that must lie on it.
 const MIN_FIT: f64 = 2.0 / 3.0;
-/// Less holds no piece, whatever the noise of normals: the square of half a degree's sine.
+/// Smallest stiffness that holds a piece, for any noise of the normals: the square of half a
+/// degree's sine.
 const MIN_HOLD: f64 = 7.6e-5;
-/// More than this of what holds a piece may not be noise.
+/// Largest part of the stiffness that may be noise.
 const MAX_NOISE: f64 = 0.5;
-/// Pieces that are so many times as large or small as the first are in other units.
-const OTHER_SIZE: f64 = 50.0;
+/// A piece this many times as large or small as the first uses another unit.
+const MIN_UNIT_RATIO: f64 = 50.0;
 
-/// Whether a piece is trusted, and how well it is held.
+/// The reason, and the stiffness with which a piece is held.
 pub(super) type Verdict = (Reason, f64);
 
-/// The overlaps, and for each piece what is known and how it is held.
+/// Returns the overlaps, and for each piece the reason and the stiffness.
 pub(super) fn judge(
     members: &[Member<'_>],
-    found: &[([usize; 2], Found)],
+    found: &[([usize; 2], PairReport)],
     unit: f64,
 ) -> Result<(Vec<Overlap>, Vec<Verdict>)> {
     let mut overlaps: Vec<Overlap> = Vec::new();
@@ -35,7 +37,7 @@ pub(super) fn judge(
     for ([i, k], one) in found.iter().filter(|([i, k], _)| i < k) {
         let back = found.binary_search_by_key(&[*k, *i], |(pair, _)| *pair).ok().map(|at| &found[at].1);
         let ways = [Some(one), back];
-        let sum = |of: &dyn Fn(&Found) -> f64| ways.iter().flatten().map(|found| of(found)).sum::<f64>();
+        let sum = |of: &dyn Fn(&PairReport) -> f64| ways.iter().flatten().map(|found| of(found)).sum::<f64>();
         let on = sum(&|f| f.on as f64);
         let near = sum(&|f| f.near as f64);
         for piece in [*i, *k] {
@@ -45,7 +47,7 @@ pub(super) fn judge(
         if on == 0.0 {
             continue;
         }
-        let share = |found: Option<&Found>| found.map_or(0.0, |f| f.on as f64 / f.samples.max(1) as f64);
+        let share = |found: Option<&PairReport>| found.map_or(0.0, |f| f.on as f64 / f.samples.max(1) as f64);
         let fit = on / near.max(1.0);
         alloc::push(
             &mut overlaps,
@@ -60,7 +62,7 @@ pub(super) fn judge(
             },
         )?;
     }
-    let holds = holds(members.len(), found)?;
+    let holds = measure_holds(members.len(), found)?;
     let size = |k: usize| members[k].scan.bounds.diagonal();
     let mut reasons = alloc::with_capacity(members.len())?;
     for k in 0..members.len() {
@@ -73,7 +75,7 @@ pub(super) fn judge(
         } else if against > MIN_COUNT && against > 2 * with {
             Reason::FacesOtherWay
         } else if own().all(|overlap| (overlap.count as usize) < MIN_COUNT) {
-            if (1.0 / OTHER_SIZE..=OTHER_SIZE).contains(&ratio) || members[k].scan.used.is_empty() {
+            if (1.0 / MIN_UNIT_RATIO..=MIN_UNIT_RATIO).contains(&ratio) || members[k].scan.used.is_empty() {
                 Reason::NoOverlap
             } else {
                 Reason::OtherSize

@@ -1,16 +1,16 @@
-//! A piece among those that are aligned with each other, and what it looks for.
+//! A piece in an alignment, with its samples.
 
 use super::sampled_rim::Rim;
 use super::scan::Scan;
 use gusset_base::geom::kd_tree::KdTree;
 
-/// A piece, and what it looks for.
+/// A piece with its search structures and samples.
 #[derive(Clone, Copy)]
 pub(super) struct Member<'a> {
     pub(super) scan: &'a Scan,
     pub(super) tree: &'a KdTree<'a>,
-    /// Vertices, neighbours near each other.
+    /// The vertices to look for on other pieces, in spatial order.
     pub(super) samples: &'a [u32],
-    /// Its rims, if they are what holds it.
+    /// The piece's rims, if the alignment uses rims.
     pub(super) rim: Option<(&'a Rim, &'a KdTree<'a>)>,
 }

@@ -1,45 +1,48 @@
-//! Alignment: pieces that overlap, each in a place of its own, moved rigidly to where they fit.
+//! Alignment: rigid motion of overlapping pieces to where they fit.
 //!
-//! Sources: P. Besl and N. McKay, *A method for registration of 3-D shapes* (1992), and Y. Chen and
-//! G. Medioni, *Object modelling by registration of multiple range images* (1992): nearest points
-//! as pairs, and planes at them; G. Turk and M. Levoy, *Zippered polygon meshes from range images*
-//! (1994): what lies beyond a border of the other piece is no pair; S. Rusinkiewicz, *A symmetric
-//! objective function for ICP* (2019): the plane of both normals; P. Neugebauer, *Reconstruction of
-//! real-world objects via simultaneous registration* (1997): all pieces in one system, so that no
-//! error adds up round a ring of them.
+//! Sources:
+//! * P. Besl and N. McKay, *A method for registration of 3-D shapes* (1992), and Y. Chen and G.
+//!   Medioni, *Object modelling by registration of multiple range images* (1992), for nearest
+//!   points as pairs, and their tangent planes.
+//! * G. Turk and M. Levoy, *Zippered polygon meshes from range images* (1994), for ignoring pairs
+//!   at a border of the other piece.
+//! * S. Rusinkiewicz, *A symmetric objective function for ICP* (2019), for the mean of both
+//!   normals.
+//! * P. Neugebauer, *Reconstruction of real-world objects via simultaneous registration* (1997),
+//!   for one system of all pieces, so that errors do not accumulate around a ring.
 //!
-//! In each round every piece asks its neighbours for the points nearest to some of its own. With
-//! small motions of piece i, a turn w_i about its centre g_i and a shift u_i, the distance of a
-//! pair x_i, x_j along their normal n changes to
+//! Each round finds the points of every piece's neighbours that are nearest to its samples. Let
+//! piece i move by a small rotation w_i about its centre g_i and a translation u_i. The distance of
+//! a pair x_i, x_j along its normal n then changes to
 //!
-//! (x_i - x_j) . n + (u_i + w_i x (x_i - g_i)) . n - (u_j + w_j x (x_j - g_j)) . n,
+//! (x_i - x_j) . n + (u_i + w_i x (x_i - g_i)) . n - (u_j + w_j x (x_j - g_j)) . n.
 //!
-//! and the motions that make the weighted sum of squares least are applied, until nothing moves.
-//! The first piece stays. What is left in the end says whether a piece can be trusted to lie right:
-//! whether it overlaps others, fits there, and whether the overlaps hold it in all six directions.
+//! The motions that minimise the weighted sum of squares are applied, until nothing moves. The
+//! first piece is fixed. At the end each piece is assessed: whether it overlaps others, fits there,
+//! and is held in all six directions.
 //!
-//! | file | what it does |
+//! | file | task |
 //! |---|---|
 //! | [`align_request`](self) | options, results, reasons |
 //! | [`pose`](self) | a rotation and a translation |
-//! | [`scan`](self) | a piece made ready: points, smoothed normals, borders, samples |
-//! | [`sampled_rim`](self) | its rims at equal steps, with frames and signatures |
-//! | [`member`](self) | a piece among others, and what it looks for |
-//! | [`sample_pairs`](self) | which samples lie on which other piece, and their equations |
-//! | [`along`](self) | the same of rims |
-//! | [`scene`](self) | the pieces, and who is near whom |
+//! | [`scan`](self) | a prepared piece: points, smoothed normals, borders, samples |
+//! | [`sampled_rim`](self) | a piece's rims at equal steps, with frames and signatures |
+//! | [`member`](self) | a piece in an alignment, with its samples |
+//! | [`sample_pairs`](self) | pairs of samples on other pieces, and their equations |
+//! | [`rim_pairs`](self) | pairs of rim samples |
+//! | [`scene`](self) | the pieces, and the pairs that are near |
 //! | [`motion_system`](self) | the equations of all motions, solved by conjugate gradients |
-//! | [`freedom`](self) | the directions in which overlaps do not hold a piece |
+//! | [`freedom`](self) | the stiffness with which overlaps hold a piece |
 //! | [`relax`](self) | the rounds |
-//! | [`axes`](self) | a start by principal axes |
-//! | [`rim_features`](self) | a start by features of rims |
-//! | [`judge`](self) | what can be trusted |
-//! | [`align_run`](self) | all of it in order |
-//! | [`moved`](self) | the pieces where they lie in the end, in one mesh and apart |
+//! | [`axes`](self) | an initial alignment by principal axes |
+//! | [`rim_features`](self) | an initial alignment by features of rims |
+//! | [`judge`](self) | the assessment of pairs and pieces |
+//! | [`align_run`](self) | all steps in order |
+//! | [`moved`](self) | the aligned pieces, in one mesh and as views |
 
 mod align_request;
 mod align_run;
-mod along;
+mod rim_pairs;
 mod axes;
 mod freedom;
 mod judge;

@@ -1,8 +1,8 @@
-//! The equations of all motions at once, solved by conjugate gradients.
+//! The equations of all motions, solved by conjugate gradients.
 //!
-//! Their matrix has a block of six by six for each piece and for each pair with something in
-//! common. Preconditioned by the pieces' own blocks; M. Hestenes and E. Stiefel, *Methods of
-//! conjugate gradients for solving linear systems* (1952).
+//! The matrix has a 6 x 6 block for each piece and for each pair of pieces that overlap. It is
+//! preconditioned by the pieces' own blocks; M. Hestenes and E. Stiefel, *Methods of conjugate
+//! gradients for solving linear systems* (1952).
 
 use super::sample_pairs::Equations;
 use glam::DVec3;
@@ -10,23 +10,22 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::linear::cholesky;
 
-/// What is added to the diagonal, as part of its mean: directions in which nothing holds a piece do
-/// not move it.
+/// Addition to the diagonal, relative to its mean: a piece does not move in directions in which
+/// nothing holds it.
 const DAMPING: f64 = 1e-3;
-/// The residual, as part of the first, at which the solution is good enough: the equations are
-/// those of one round.
+/// Sufficient reduction of the residual. The equations change in every round.
 const TOLERANCE: f64 = 1e-8;
-/// Iterations at the most, for each unknown.
+/// Largest number of iterations per unknown.
 const MAX_ITERATIONS: usize = 2;
 
 pub(super) type Six = [f64; 6];
 
-/// Symmetric equations of the pieces' motions.
+/// The symmetric equations of the pieces' motions.
 pub(super) struct System {
     own: Vec<[Six; 6]>,
     right: Vec<Six>,
-    /// Of pieces i and j: the block of i's rows and j's columns.
-    between: Vec<([usize; 2], [Six; 6])>,
+    /// For pieces i and j, the block of i's rows and j's columns.
+    couplings: Vec<([usize; 2], [Six; 6])>,
     is_fixed: Vec<bool>,
 }
 
@@ -36,13 +35,13 @@ impl System {
         Ok(System {
             own: alloc::filled([[0.0; 6]; 6], count)?,
             right: alloc::filled([0.0; 6], count)?,
-            between: Vec::new(),
+            couplings: Vec::new(),
             is_fixed: alloc::copied(is_fixed)?,
         })
     }
 
-    /// Enters the equations of two pieces.
-    pub(super) fn enter(&mut self, pieces: [usize; 2], equations: &Equations) -> Result<()> {
+    /// Adds the equations of two pieces.
+    pub(super) fn add(&mut self, pieces: [usize; 2], equations: &Equations) -> Result<()> {
         let at = |i: usize, j: usize| equations.matrix[i.max(j)][i.min(j)];
         for (k, piece) in pieces.into_iter().enumerate() {
             for i in 0..6 {
@@ -51,11 +50,11 @@ impl System {
             }
         }
         let block = std::array::from_fn(|i| std::array::from_fn(|j| at(i, 6 + j)));
-        alloc::push(&mut self.between, (pieces, block))
+        alloc::push(&mut self.couplings, (pieces, block))
     }
 
-    /// The motions: for each piece a turn in its radius and a shift; 0 of those that are fixed.
-    /// O(pieces * pairs) at the most, and as a rule far less.
+    /// Returns the motions: for each piece a rotation, in units of its radius, and a translation; 0
+    /// for fixed pieces. At most O(pieces * pairs), and usually far less.
     pub(super) fn solve(&mut self) -> Result<Vec<Six>> {
         for own in &mut self.own {
             let mean = (0..6).map(|i| own[i][i]).sum::<f64>() / 6.0;
@@ -99,7 +98,7 @@ impl System {
         for ((out, own), x) in out.iter_mut().zip(&self.own).zip(x) {
             *out = std::array::from_fn(|i| (0..6).map(|j| own[i][j] * x[j]).sum());
         }
-        for ([a, b], block) in &self.between {
+        for ([a, b], block) in &self.couplings {
             for i in 0..6 {
                 for j in 0..6 {
                     out[*a][i] += block[i][j] * x[*b][j];
@@ -110,7 +109,7 @@ impl System {
         self.clear_fixed(out);
     }
 
-    /// Each piece's part solved by its own block.
+    /// Solves each piece's own block.
     fn conditioned(&self, x: &[Six]) -> Result<Vec<Six>> {
         alloc::collect(x.iter().zip(&self.own).map(|(x, own)| {
             let mut lower = *own;

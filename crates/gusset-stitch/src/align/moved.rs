@@ -1,4 +1,4 @@
-//! The pieces where they lie in the end, in one mesh.
+//! The aligned pieces in one mesh.
 
 use super::align_request::Alignment;
 use super::pose::Pose;
@@ -11,13 +11,15 @@ use gusset_mesh::{Mesh, MeshView, Piece, PositionBuffer, Positions, concatenate}
 const STAGE: &str = "moving the pieces";
 
 impl Alignment {
-    /// One mesh of the pieces that were aligned, side by side as [`concatenate`] puts them, each
-    /// moved by its pose. Positions of a piece that stays keep their bits; others are rounded to
-    /// the scalar type of the first piece. What is not finite stays as it is. O(size).
+    /// Returns one mesh of the aligned pieces, placed side by side like [`concatenate`], each moved
+    /// by its pose.
+    ///
+    /// A piece that does not move keeps its bits. Other positions are rounded to the scalar type of
+    /// the first piece. Positions that are not finite are copied. O(size).
     ///
     /// # Errors
-    /// Those of [`concatenate`]; [`Error::NotFinite`] for a vertex, counted through all pieces, whose
-    /// new place is beyond the numbers of the type.
+    /// As for [`concatenate`]. [`Error::NotFinite`] for a vertex, counted through all pieces, whose
+    /// new position overflows its type.
     pub fn moved(&self, pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<(Mesh, Vec<Piece>)> {
         let (mut whole, places) = concatenate(pieces, &job.part(0.0, 0.0))?;
         for (k, (piece, aligned)) in pieces.iter().zip(&self.pieces).enumerate() {
@@ -35,7 +37,7 @@ impl Alignment {
     }
 }
 
-/// The pieces as they are in `moved`, with their own faces.
+/// Returns the pieces as views of the moved mesh, with their own faces.
 pub fn views_of<'a>(
     (whole, places): &'a (Mesh, Vec<Piece>),
     pieces: &[MeshView<'a>],
@@ -52,7 +54,7 @@ pub fn views_of<'a>(
     }))
 }
 
-/// Moves points; the first one is vertex `first`.
+/// Moves points. The first one is vertex `first`.
 fn apply<T: Copy + Into<f64>>(
     pose: &Pose,
     points: &mut [[T; 3]],

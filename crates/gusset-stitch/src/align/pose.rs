@@ -2,55 +2,56 @@
 
 use glam::{DMat3, DVec3};
 
-/// Takes x to R x + t.
+/// The rigid motion from x to R x + t.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pose {
-    /// R, orthogonal with determinant 1.
+    /// The rotation R, orthogonal with determinant 1.
     pub rotation: DMat3,
-    /// t.
+    /// The translation t.
     pub translation: DVec3,
 }
 
 impl Pose {
-    /// No motion.
+    /// The motion that leaves every point unchanged.
     pub const IDENTITY: Pose = Pose { rotation: DMat3::IDENTITY, translation: DVec3::ZERO };
 
-    /// Where it takes a point.
+    /// Applies the motion to a point.
     pub fn point(&self, x: DVec3) -> DVec3 {
         self.rotation * x + self.translation
     }
 
-    /// Where it takes a direction.
+    /// Applies the rotation to a direction.
     pub fn direction(&self, d: DVec3) -> DVec3 {
         self.rotation * d
     }
 
-    /// The motion that takes everything back.
+    /// Returns the inverse motion.
     pub fn inverse(&self) -> Pose {
         let back = self.rotation.transpose();
         Pose { rotation: back, translation: -(back * self.translation) }
     }
 
-    /// This motion, then `next`.
+    /// Returns the composition of this motion followed by `next`.
     pub fn then(&self, next: &Pose) -> Pose {
         Pose { rotation: next.rotation * self.rotation, translation: next.point(self.translation) }
     }
 
-    /// A turn about `centre` by the vector `turn`, whose length is the angle, and a shift.
-    pub(super) fn about(centre: DVec3, turn: DVec3, shift: DVec3) -> Pose {
+    /// Returns the rotation about `centre` by the vector `turn`, whose length is the angle,
+    /// followed by a translation.
+    pub(super) fn turn_about(centre: DVec3, turn: DVec3, shift: DVec3) -> Pose {
         let rotation = rotation(turn);
         Pose { rotation, translation: centre + shift - rotation * centre }
     }
 
-    /// The same, with a rotation that rounding has not bent: its axes made orthogonal again.
-    pub(super) fn straightened(self) -> Pose {
+    /// Removes round-off from the rotation, by making its axes orthonormal.
+    pub(super) fn orthonormalised(self) -> Pose {
         let x = self.rotation.x_axis.normalize_or(DVec3::X);
         let y = (self.rotation.y_axis - x * x.dot(self.rotation.y_axis)).normalize_or(x.any_orthonormal_vector());
         Pose { rotation: DMat3::from_cols(x, y, x.cross(y)), ..self }
     }
 
-    /// How much a matrix differs from a rotation: the largest entry of R^T R - 1, and 2 where it
-    /// mirrors.
+    /// Returns the deviation of the matrix from a rotation: the largest entry of R^T R - 1, or 2
+    /// for a reflection.
     pub(super) fn skew(&self) -> f64 {
         let product = self.rotation.transpose() * self.rotation - DMat3::IDENTITY;
         let largest = product.to_cols_array().iter().fold(0.0, |m: f64, x| m.max(x.abs()));
@@ -58,8 +59,8 @@ impl Pose {
     }
 }
 
-/// The rotation by a vector, whose length is the angle: O. Rodrigues' formula. The same bits on
-/// every machine.
+/// Returns the rotation by a vector whose length is the angle: O. Rodrigues' formula. The bits are
+/// equal on every machine.
 fn rotation(turn: DVec3) -> DMat3 {
     let angle = turn.length();
     if angle == 0.0 {
@@ -77,12 +78,12 @@ mod tests {
 
     #[test]
     fn motions_are_undone_and_follow_one_another() {
-        let a = Pose::about(DVec3::new(1.0, 2.0, 3.0), DVec3::new(0.3, -0.2, 0.5), DVec3::new(0.1, 0.0, -4.0));
-        let b = Pose::about(DVec3::X, DVec3::new(-1.3, 0.2, 0.1), DVec3::Y);
+        let a = Pose::turn_about(DVec3::new(1.0, 2.0, 3.0), DVec3::new(0.3, -0.2, 0.5), DVec3::new(0.1, 0.0, -4.0));
+        let b = Pose::turn_about(DVec3::X, DVec3::new(-1.3, 0.2, 0.1), DVec3::Y);
         let x = DVec3::new(0.7, -0.3, 2.0);
         assert!(a.inverse().point(a.point(x)).distance(x) < 1e-14);
         assert!(a.then(&b).point(x).distance(b.point(a.point(x))) < 1e-14);
-        assert!(a.skew() < 1e-15 && a.straightened().rotation.abs_diff_eq(a.rotation, 1e-15));
+        assert!(a.skew() < 1e-15 && a.orthonormalised().rotation.abs_diff_eq(a.rotation, 1e-15));
         let mirror = Pose { rotation: DMat3::from_diagonal(DVec3::new(-1.0, 1.0, 1.0)), ..Pose::IDENTITY };
         assert_eq!(mirror.skew(), 2.0);
     }

@@ -1,8 +1,8 @@
-//! A start by features of rims: where two rims run alike, the pieces are put together there.
+//! An initial alignment by features of rims: pieces are joined where their rims match.
 //!
-//! Where two pieces of one surface meet, their rims run against each other under one normal, so
-//! that one pair of samples gives a motion; those whose signatures agree best are tried, and the
-//! one after which most of the rims lie on each other is taken.
+//! Where two pieces of one surface meet, their rims run in opposite directions with a common
+//! normal. One pair of samples therefore determines a motion. The pairs with the most similar
+//! signatures are tried, and the motion with the longest common rim is kept.
 
 use super::pose::Pose;
 use super::sampled_rim::{MIN_COSINE, Rim, STAGE, Signature};
@@ -15,23 +15,23 @@ use gusset_base::geom::rotation::best_rotation;
 use gusset_base::job::Job;
 use gusset_base::par;
 
-/// Pairs of samples that are tried.
+/// Number of pairs of samples to try.
 const TRIALS: usize = 64;
-/// Rounds in which the motion is fitted to the rims that lie on each other.
-const FITS: usize = 6;
-/// Rims lie on each other within so many steps.
-const NEAR: f64 = 1.5;
-/// Fewer samples that lie on the other rim are no match; nor is a smaller share of the shorter rim.
+/// Number of rounds that fit a motion to the coincident rims.
+const FIT_ROUNDS: usize = 6;
+/// Rims coincide within this number of steps.
+const NEAR_STEPS: f64 = 1.5;
+/// Smallest number of coincident samples of a match, and smallest share of the shorter rim.
 const MIN_MATCHES: usize = 12;
 const MIN_SHARE: f64 = 0.1;
 
-/// The best way to put a piece beside another: how many of its samples lie on the other's rims
-/// then, and the motion into the other's coordinates.
+/// The best way to join a piece to another: the number of its samples on the other's rims, and the
+/// motion into the other's coordinates.
 type Match = (usize, Pose);
 
-/// The poses that put the pieces together along rims that run alike, piece by piece from the first
-/// on, the best match first; a piece without one stays where it is. O(pieces^2 * samples^2).
-pub(super) fn by_rims(scene: &Scene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> {
+/// Returns the poses that join the pieces along matching rims, starting from the first piece, the
+/// best match first. A piece without a match does not move. O(pieces^2 * samples^2).
+pub(super) fn align_rims(scene: &Scene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> {
     let count = scene.members.len();
     let mut poses = alloc::filled(Pose::IDENTITY, count)?;
     let pairs = alloc::gather((0..count).flat_map(|i| (0..count).map(move |k| [i, k])).filter(|[i, k]| i < k))?;
@@ -46,7 +46,7 @@ pub(super) fn by_rims(scene: &Scene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> {
         *first = true;
     }
     loop {
-        // The best match of a piece that is placed and one that is not.
+        // The best match between a placed piece and one that is not placed.
         let open = pairs.iter().zip(&found).filter(|(pair, _)| is_placed[pair[0]] != is_placed[pair[1]]);
         let best = open.filter_map(|(&pair, found)| found.map(|found| (pair, found)));
         let Some(([i, k], (_, pose))) = best.reduce(|x, y| if y.1.0 > x.1.0 { y } else { x }) else {
@@ -58,14 +58,14 @@ pub(super) fn by_rims(scene: &Scene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> {
     }
 }
 
-/// The motion of `from` after which most of its samples lie on the rims of `onto`; `None` if none
-/// is a match.
+/// Returns the motion of `from` that puts most of its samples on the rims of `onto`; `None` without
+/// a match.
 fn best_match(onto: &Rim, tree: &KdTree<'_>, from: &Rim) -> Result<Option<Match>> {
     let (theirs, own) = (onto.signatures(false)?, from.signatures(true)?);
     let mut trials: Vec<(f64, usize, usize)> = Vec::new();
     let differ = |a: &Signature, b: &Signature| a.iter().zip(b).map(|(a, b)| a.distance_squared(*b)).sum::<f64>();
     for (i, a) in theirs.iter().enumerate() {
-        // Of each sample the one that is most alike: its neighbours would say the same.
+        // Keep the most similar sample only: its neighbours lead to a similar motion.
         let all = own.iter().enumerate().map(|(k, b)| (differ(a, b), i, k));
         alloc::extend(&mut trials, all.reduce(|x, y| if y.0 < x.0 { y } else { x }))?;
     }
@@ -75,12 +75,12 @@ fn best_match(onto: &Rim, tree: &KdTree<'_>, from: &Rim) -> Result<Option<Match>
     for (_, i, k) in trials {
         let rotation = onto.frame(i, false) * from.frame(k, true).transpose();
         let mut pose = Pose { rotation, translation: onto.points[i] - rotation * from.points[k] };
-        for _ in 0..FITS {
+        for _ in 0..FIT_ROUNDS {
             let near = near_samples(onto, tree, from, &pose)?;
             if best.is_none_or(|(count, _)| near.len() > count) {
                 best = Some((near.len(), pose));
             }
-            let Some(fitted) = fitted(onto, from, &near) else {
+            let Some(fitted) = best_fit(onto, from, &near) else {
                 break;
             };
             pose = fitted;
@@ -90,9 +90,9 @@ fn best_match(onto: &Rim, tree: &KdTree<'_>, from: &Rim) -> Result<Option<Match>
     Ok(best.filter(|&(count, _)| count >= MIN_MATCHES && count as f64 >= MIN_SHARE * shorter))
 }
 
-/// The samples of `from` that lie on the rims of `onto`, with the samples there.
+/// Returns the samples of `from` that lie on the rims of `onto`, with the samples there.
 fn near_samples(onto: &Rim, tree: &KdTree<'_>, from: &Rim, pose: &Pose) -> Result<Vec<[usize; 2]>> {
-    let gate = NEAR * onto.step;
+    let gate = NEAR_STEPS * onto.step;
     alloc::gather((0..from.points.len()).filter_map(|k| {
         let (along, normal) = (pose.direction(from.directions[k]), pose.direction(from.normals[k]));
         let fits = |w: u32| {
@@ -102,8 +102,9 @@ fn near_samples(onto: &Rim, tree: &KdTree<'_>, from: &Rim, pose: &Pose) -> Resul
     }))
 }
 
-/// The motion that brings pairs nearest to each other; `None` of fewer than three.
-fn fitted(onto: &Rim, from: &Rim, pairs: &[[usize; 2]]) -> Option<Pose> {
+/// Returns the motion that minimises the squared distances of the pairs; `None` for fewer than
+/// three pairs.
+fn best_fit(onto: &Rim, from: &Rim, pairs: &[[usize; 2]]) -> Option<Pose> {
     if pairs.len() < 3 {
         return None;
     }

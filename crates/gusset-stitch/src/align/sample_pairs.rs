@@ -1,4 +1,4 @@
-//! Which samples of a piece lie on another one, and what they ask of the motions of the two.
+//! Pairs of samples of one piece on another, and their equations for the motions of both.
 
 use super::member::Member;
 use super::pose::Pose;
@@ -8,58 +8,60 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 
 pub(super) const STAGE: &str = "aligning the pieces";
-/// Samples between two progress reports: far from what is looked for each takes long.
+/// Number of samples between two progress reports. A search far from the other piece is slow.
 pub(super) const SAMPLES_PER_REPORT: usize = 1 << 7;
-/// The least cosine between the normals of a pair: 45 degrees.
+/// Smallest cosine between the normals of a pair: 45 degrees.
 const MIN_COSINE: f64 = std::f64::consts::FRAC_1_SQRT_2;
-/// Pairs that are so many standard deviations off have no weight: J. Tukey's biweight, at 95 % of
+/// Pairs beyond this number of standard deviations get weight 0: J. Tukey's biweight, at 95 % of
 /// the efficiency of least squares.
-const CUT: f64 = 4.685;
-/// The standard deviation over the median of the absolute values, of normal errors.
-const DEVIATION: f64 = 1.4826;
-/// The median residual counts as at least this part of the spacing of points: less is below what
-/// meshes say.
+const TUKEY_CUTOFF: f64 = 4.685;
+/// The ratio of the standard deviation to the median absolute value, for normally distributed
+/// errors.
+const MEDIAN_TO_DEVIATION: f64 = 1.4826;
+/// Lower bound of the median residual, relative to the spacing of points: smaller residuals are
+/// below the precision of meshes.
 const MIN_RESIDUAL: f64 = 1e-6;
 
-/// Equations of two pieces' motions: a turn and a shift of each, twelve unknowns.
+/// The equations for two pieces' motions: twelve unknowns, a rotation and a translation of each.
 #[derive(Clone)]
 pub(super) struct Equations {
-    /// The matrix, its lower triangle.
+    /// The lower triangle of the matrix.
     pub(super) matrix: [[f64; 12]; 12],
     pub(super) right: [f64; 12],
     /// The sum of the weights.
     pub(super) weight: f64,
 }
 
-/// What the samples of one piece found on another.
+/// The pairs between the samples of one piece and another piece: equations and statistics.
 #[derive(Clone)]
-pub(super) struct Found {
+pub(super) struct PairReport {
     pub(super) equations: Equations,
-    /// The samples that were looked for.
+    /// The number of samples that were searched.
     pub(super) samples: usize,
-    /// Those whose nearest point is within the gate, on no rim, and faces the same way.
+    /// The number of samples whose nearest point is within the gate, not on a rim, and faces the
+    /// same side.
     pub(super) near: usize,
-    /// Those whose nearest point faces the other way.
+    /// The number of samples whose nearest point faces the opposite side.
     pub(super) opposite: usize,
-    /// Those that lie on the other piece.
+    /// The number of samples that lie on the other piece.
     pub(super) on: usize,
-    /// The mean and the mean square of the distances of those, along the normals.
+    /// The mean, and the mean square, of the distances of these samples along the normals.
     pub(super) mean: f64,
     pub(super) square: f64,
-    /// The mean of 1 less the cosine between the normals: what noise turns them by.
+    /// The mean of 1 minus the cosine between the normals: their noise.
     pub(super) turn: f64,
-    /// The root of the mean square of the distances of those near.
+    /// The root mean square distance of the near samples.
     pub(super) distance: f64,
 }
 
-/// A piece, and where it lies now.
+/// A piece and its current pose.
 #[derive(Clone, Copy)]
 pub(super) struct Placed<'a> {
     pub(super) member: &'a Member<'a>,
     pub(super) pose: Pose,
 }
 
-/// A pair of points, a direction along which they should not differ, and by how much they do.
+/// A pair of points, the direction along which they should coincide, and their distance along it.
 pub(super) struct Pair {
     pub(super) points: [DVec3; 2],
     pub(super) along: DVec3,
@@ -72,32 +74,34 @@ impl Pair {
     }
 }
 
-/// What a piece met while it looked.
+/// The pairs found by one search.
 #[derive(Default)]
-pub(super) struct Met {
-    /// Pairs, so many entries for each.
+pub(super) struct PairList {
+    /// The pairs, with `entries` consecutive entries for each sample.
     pub(super) pairs: Vec<Pair>,
     pub(super) entries: usize,
     pub(super) samples: usize,
     pub(super) opposite: usize,
-    /// Sums over the pairs: of 1 less the cosine between their normals, of squared distances.
+    /// The sums over the pairs of 1 minus the cosine between their normals, and of squared
+    /// distances.
     pub(super) turn: f64,
     pub(super) squares: f64,
 }
 
-/// Looks for samples of `a` on `b`, up to a distance. `reach`: what counts as on the surface.
-pub(super) fn look<'s>(
+/// Searches for samples of `a` on `b`, up to the distance `gate`. Points within `reach` are on the
+/// surface.
+pub(super) fn find_sample_pairs<'s>(
     a: &Placed<'_>,
     samples: impl ExactSizeIterator<Item = &'s u32>,
     b: &Placed<'_>,
     gate: f64,
     reach: f64,
     job: &Job<'_>,
-) -> Result<Found> {
+) -> Result<PairReport> {
     let across = a.pose.then(&b.pose.inverse());
     let [from, onto] = [a.member.scan, b.member.scan];
     let pairs = alloc::with_capacity(samples.len())?;
-    let mut met = Met { pairs, entries: 1, samples: samples.len(), ..Met::default() };
+    let mut list = PairList { pairs, entries: 1, samples: samples.len(), ..PairList::default() };
     let count = samples.len();
     for (k, &v) in samples.enumerate() {
         job.step_every(SAMPLES_PER_REPORT, k, count, STAGE)?;
@@ -115,46 +119,46 @@ pub(super) fn look<'s>(
         let (m, n) = (across.direction(from.normals[v as usize]), onto.normals[w as usize]);
         let cosine = m.dot(n);
         if cosine < MIN_COSINE {
-            met.opposite += usize::from(cosine < -MIN_COSINE);
+            list.opposite += usize::from(cosine < -MIN_COSINE);
             continue;
         }
         let points = [at, onto.points[w as usize]].map(|p| b.pose.point(p));
-        met.pairs.push(Pair::new(points, b.pose.direction((m + n).normalize_or(n))));
-        met.turn += 1.0 - cosine;
-        met.squares += squared;
+        list.pairs.push(Pair::new(points, b.pose.direction((m + n).normalize_or(n))));
+        list.turn += 1.0 - cosine;
+        list.squares += squared;
     }
-    Found::of(&met, [a, b], from.spacing.max(onto.spacing), reach)
+    PairReport::new(&list, [a, b], from.spacing.max(onto.spacing), reach)
 }
 
-impl Found {
-    /// The equations of what was met, and the account of it.
-    pub(super) fn of(met: &Met, [a, b]: [&Placed<'_>; 2], spacing: f64, reach: f64) -> Result<Found> {
-        let near = met.pairs.len() / met.entries;
+impl PairReport {
+    /// Computes the equations and the statistics of the pairs.
+    pub(super) fn new(list: &PairList, [a, b]: [&Placed<'_>; 2], spacing: f64, reach: f64) -> Result<PairReport> {
+        let near = list.pairs.len() / list.entries;
         let count = near.max(1) as f64;
-        let mut sizes = alloc::collect(met.pairs.iter().map(|pair| pair.off.abs()))?;
+        let mut sizes = alloc::collect(list.pairs.iter().map(|pair| pair.off.abs()))?;
         let median = match sizes.len() {
             0 => 0.0,
             n => *sizes.select_nth_unstable_by(n / 2, f64::total_cmp).1,
         };
-        let cut = CUT * DEVIATION * median.max(MIN_RESIDUAL * spacing);
-        let mut found = Found {
+        let cut = TUKEY_CUTOFF * MEDIAN_TO_DEVIATION * median.max(MIN_RESIDUAL * spacing);
+        let mut found = PairReport {
             equations: Equations { matrix: [[0.0; 12]; 12], right: [0.0; 12], weight: 0.0 },
-            samples: met.samples,
+            samples: list.samples,
             near,
-            opposite: met.opposite,
+            opposite: list.opposite,
             on: 0,
             mean: 0.0,
             square: 0.0,
-            turn: met.turn / count,
-            distance: (met.squares / count).sqrt(),
+            turn: list.turn / count,
+            distance: (list.squares / count).sqrt(),
         };
         let centres = [a, b].map(|placed| placed.pose.point(placed.member.scan.mean));
         let radii = [a, b].map(|placed| placed.member.scan.radius);
-        for pair in met.pairs.chunks_exact(met.entries) {
+        for pair in list.pairs.chunks_exact(list.entries) {
             for entry in pair {
                 let part = 1.0 - (entry.off / cut).powi(2);
                 if part > 0.0 {
-                    found.equations.enter(entry, part * part, centres, radii);
+                    found.equations.add(entry, part * part, centres, radii);
                 }
             }
             let square = pair.iter().map(|entry| entry.off * entry.off).sum::<f64>();
@@ -171,9 +175,9 @@ impl Found {
 }
 
 impl Equations {
-    /// Enters (x - y) . n + (u + w x (x - g)) . n - (u' + w' x (y - g')) . n = 0, with turns in
-    /// radii of the pieces, so that they are as long as shifts.
-    fn enter(&mut self, pair: &Pair, weight: f64, centres: [DVec3; 2], radii: [f64; 2]) {
+    /// Adds (x - y) . n + (u + w x (x - g)) . n - (u' + w' x (y - g')) . n = 0. Rotations are in
+    /// units of the pieces' radii, so that they are comparable with translations.
+    fn add(&mut self, pair: &Pair, weight: f64, centres: [DVec3; 2], radii: [f64; 2]) {
         let [x, y] = pair.points;
         let along = pair.along;
         let turns = [(x - centres[0]).cross(along) / radii[0], (y - centres[1]).cross(along) / -radii[1]];

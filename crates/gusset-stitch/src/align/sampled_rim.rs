@@ -1,6 +1,7 @@
-//! The rims of a piece at equal steps. Each sample has a frame, of the rim's direction, the
-//! surface's normal and the conormal, and a signature: where the rim is some steps before and after
-//! it, in that frame.
+//! The rims of a piece at equal steps.
+//!
+//! Each sample has a frame of the rim's direction, the surface's normal and the conormal. Its
+//! signature lists the positions of the rim some steps before and after it, in that frame.
 
 use super::scan::Scan;
 use crate::boundary::{self, LoopFlags, boundary_loops};
@@ -11,15 +12,15 @@ use gusset_base::job::Job;
 use gusset_mesh::MeshView;
 
 pub(super) const STAGE: &str = "comparing rims";
-/// Samples of all rims of a piece at the most.
+/// Largest number of samples of all rims of a piece.
 const MAX_SAMPLES: f64 = 512.0;
-/// Where a signature looks, in steps before and after.
+/// The offsets of a signature, in steps before and after.
 const OFFSETS: [usize; 4] = [3, 6, 12, 24];
-/// The least cosine between the normals of rims that run alike, and between their directions, one
-/// against the other.
+/// Smallest cosine between the normals of matching rims, and between one direction and the opposite
+/// of the other.
 pub(super) const MIN_COSINE: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
-/// Of a sample, where the rim is some steps before and after it.
+/// The positions of the rim some steps before and after a sample.
 pub(super) type Signature = [DVec3; 2 * OFFSETS.len()];
 
 /// The rims of a piece at equal steps.
@@ -27,13 +28,13 @@ pub(super) struct Rim {
     pub(crate) points: Vec<DVec3>,
     pub(super) directions: Vec<DVec3>,
     pub(crate) normals: Vec<DVec3>,
-    /// Where each loop starts, and the end.
+    /// The start of each loop, and the number of samples.
     starts: Vec<usize>,
     pub(super) step: f64,
 }
 
-/// The step for the rims of all pieces: the longest mean edge of their rims, or what keeps the
-/// samples few.
+/// Returns the step for the rims of all pieces: their longest mean edge, or the step that limits
+/// the number of samples.
 pub(super) fn common_step(meshes: &[MeshView<'_>], unit: f64, job: &Job<'_>) -> Result<f64> {
     let mut step = 0.0f64;
     for (k, mesh) in meshes.iter().enumerate() {
@@ -45,18 +46,18 @@ pub(super) fn common_step(meshes: &[MeshView<'_>], unit: f64, job: &Job<'_>) -> 
 }
 
 impl Rim {
-    /// O(F) and the samples.
+    /// Samples the rims of a piece. O(F), plus the samples.
     pub(super) fn new(mesh: &MeshView<'_>, scan: &Scan, step: f64, job: &Job<'_>) -> Result<Rim> {
         let found = boundary_loops(mesh, &boundary::Options::default(), job)?;
         let mut rim = Rim { points: Vec::new(), directions: Vec::new(), normals: Vec::new(), starts: vec![0], step };
         for walk in found.iter().filter(|walk| !walk.flags.any(LoopFlags::OPEN)) {
-            rim.enter(walk.vertices, scan)?;
+            rim.add(walk.vertices, scan)?;
         }
         Ok(rim)
     }
 
-    /// Enters the samples of one loop.
-    fn enter(&mut self, vertices: &[u32], scan: &Scan) -> Result<()> {
+    /// Adds the samples of one loop.
+    fn add(&mut self, vertices: &[u32], scan: &Scan) -> Result<()> {
         let n = vertices.len();
         let at = |i: usize| scan.points[vertices[i % n] as usize];
         let lengths = alloc::collect((0..n).map(|i| at(i).distance(at(i + 1))))?;
@@ -85,14 +86,14 @@ impl Rim {
         alloc::push(&mut self.starts, self.points.len())
     }
 
-    /// The frame of a sample; `turned`: as of a rim that runs against it.
+    /// Returns the frame of a sample; if `turned`, for the opposite direction of the rim.
     pub(super) fn frame(&self, k: usize, turned: bool) -> DMat3 {
         let along = if turned { -self.directions[k] } else { self.directions[k] };
         let normal = (self.normals[k] - along * along.dot(self.normals[k])).normalize_or_zero();
         DMat3::from_cols(along, normal, along.cross(normal))
     }
 
-    /// The signatures of all samples; `turned`: as of a rim that runs against it.
+    /// Returns the signatures of all samples; if `turned`, for the opposite direction of the rims.
     pub(super) fn signatures(&self, turned: bool) -> Result<Vec<Signature>> {
         let mut all = alloc::with_capacity(self.points.len())?;
         for range in self.starts.windows(2) {

@@ -1,5 +1,5 @@
-//! A piece made ready: its points in a common unit, smoothed normals, borders, and the samples that
-//! look for their like on other pieces.
+//! A prepared piece: its points in a common unit, smoothed normals, borders, and samples to look
+//! for on other pieces.
 
 use glam::DVec3;
 use gusset_base::alloc;
@@ -11,35 +11,35 @@ use gusset_base::job::Job;
 use gusset_mesh::{MeshView, Topology, half_edges};
 
 const STAGE: &str = "looking at the pieces";
-/// Passes of smoothing over the normals: those of scans are noisy.
-const SMOOTHINGS: usize = 3;
+/// Number of smoothing passes over the normals, which are noisy in scans.
+const SMOOTHING_PASSES: usize = 3;
 
-/// A piece, with positions from its own centre in the common unit.
+/// A piece with positions relative to its own centre, in the common unit.
 pub(crate) struct Scan {
-    /// The positions of vertices that faces use; of others the centre.
+    /// The positions of vertices that faces use; the centre for other vertices.
     pub(crate) points: Vec<DVec3>,
-    /// Of unit length; 0 of a vertex that no face with an area uses.
+    /// The unit normals; 0 for vertices without a face of positive area.
     pub(crate) normals: Vec<DVec3>,
     /// The vertices on borders, and on edges with three or more faces.
     pub(crate) rim: BitSet,
     /// The vertices with a normal, ascending.
     pub(crate) used: Vec<u32>,
-    /// The centre of its box in the common unit, from the origin of the positions.
+    /// The centre of the piece's box in the common unit.
     pub(crate) centre: DVec3,
-    /// The box round it.
+    /// The box of the vertices with a normal.
     pub(crate) bounds: Aabb,
-    /// The mean of its faces' corners, by area, and their covariance.
+    /// The mean of the faces' corners, weighted by area.
     pub(crate) mean: DVec3,
-    /// See above.
+    /// The covariance of the faces' corners, weighted by area.
     pub(crate) covariance: [[f64; 3]; 3],
-    /// The root of the mean squared distance from there.
+    /// The root mean square distance from `mean`.
     pub(crate) radius: f64,
-    /// The mean length of its faces' sides.
+    /// The mean length of the faces' sides.
     pub(crate) spacing: f64,
 }
 
 impl Scan {
-    /// `centre`: what positions are counted from, in the unit, if not from its own. O(H log V).
+    /// Prepares a piece. `centre` replaces the centre of the piece's box. O(H log V).
     pub(crate) fn new(mesh: &MeshView<'_>, unit: f64, centre: Option<DVec3>, job: &Job<'_>) -> Result<Scan> {
         let count = mesh.positions().len();
         job.step(0.0, STAGE)?;
@@ -71,12 +71,12 @@ impl Scan {
         Ok(Scan { points, normals, rim, used, centre, bounds, mean, covariance, radius, spacing })
     }
 
-    /// The tree over its points.
+    /// Returns a tree over the points.
     pub(crate) fn tree(&self, job: &Job<'_>) -> Result<KdTree<'_>> {
         KdTree::new(&self.points, job, STAGE)
     }
 
-    /// So many of its vertices that are on no rim, spread evenly over those there are.
+    /// Returns up to `count` vertices that are not on a rim, spread evenly over `order`.
     pub(crate) fn samples(&self, order: &[u32], count: usize) -> Result<Vec<u32>> {
         let inside = |&&v: &&u32| self.normals[v as usize] != DVec3::ZERO && !self.rim.contains(v);
         let all = alloc::gather(order.iter().filter(inside).copied())?;
@@ -85,14 +85,14 @@ impl Scan {
     }
 }
 
-/// The normals of vertices, by the areas of their faces and smoothed over their neighbours, and the
-/// mean length of sides.
+/// Returns the normals of vertices, weighted by the areas of their faces and smoothed over their
+/// neighbours, and the mean length of the sides.
 fn normals(mesh: &MeshView<'_>, points: &[DVec3], job: &Job<'_>) -> Result<(Vec<DVec3>, f64)> {
     let mut normals = alloc::filled(DVec3::ZERO, points.len())?;
     let (mut length, mut sides) = (0.0, 0.0);
     for f in 0..mesh.faces().len() {
         job.step_within(f, STAGE)?;
-        // Newell's normal: twice the area, of polygons too.
+        // Newell's formula: twice the area, also for polygons.
         let mut normal = DVec3::ZERO;
         for (_, u, v) in half_edges(mesh, f) {
             let [p, q] = [u, v].map(|v| points[v as usize]);
@@ -104,9 +104,9 @@ fn normals(mesh: &MeshView<'_>, points: &[DVec3], job: &Job<'_>) -> Result<(Vec<
     }
     job.step(0.0, STAGE)?;
     normals.iter_mut().for_each(|n| *n = n.normalize_or_zero());
-    for pass in 0..SMOOTHINGS {
+    for pass in 0..SMOOTHING_PASSES {
         let before = alloc::copied(&normals)?;
-        let job = job.share(pass, SMOOTHINGS);
+        let job = job.share(pass, SMOOTHING_PASSES);
         job.step(0.0, STAGE)?;
         for f in 0..mesh.faces().len() {
             job.step_within(f, STAGE)?;
@@ -120,7 +120,7 @@ fn normals(mesh: &MeshView<'_>, points: &[DVec3], job: &Job<'_>) -> Result<(Vec<
     Ok((normals, if sides > 0.0 { length / sides } else { 0.0 }))
 }
 
-/// The mean and the covariance of the corners of faces, by the areas of these.
+/// Returns the mean and the covariance of the faces' corners, weighted by area.
 fn moments(mesh: &MeshView<'_>, points: &[DVec3], job: &Job<'_>) -> Result<(DVec3, [[f64; 3]; 3])> {
     let (mut sum, mut area) = (DVec3::ZERO, 0.0);
     let mut square = [[0.0; 3]; 3];

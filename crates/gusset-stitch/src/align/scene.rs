@@ -1,25 +1,25 @@
-//! The pieces that are aligned with each other, and who is near whom.
+//! The pieces that are aligned with each other, and the pairs that are near.
 
-use super::along::look_along;
 use super::member::Member;
 use super::pose::Pose;
-use super::sample_pairs::{Found, Placed, STAGE, look};
+use super::rim_pairs::find_rim_pairs;
+use super::sample_pairs::{PairReport, Placed, STAGE, find_sample_pairs};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::par;
 
-/// Fewer pairs say nothing of two pieces.
+/// Smallest number of pairs that couples two pieces.
 pub(super) const MIN_PAIRS: usize = 10;
 
-/// Pieces that are aligned with each other.
+/// The pieces that are aligned with each other.
 pub(super) struct Scene<'a> {
     pub(super) members: Vec<Member<'a>>,
-    /// Pairs of points are never farther apart.
+    /// The largest distance of a pair of points.
     pub(super) reach: f64,
 }
 
-/// A piece that looks for its samples on another, up to a distance.
+/// A search for the samples of one piece on another, up to a distance.
 #[derive(Clone, Copy)]
 pub(super) struct Look {
     pub(super) pieces: [usize; 2],
@@ -27,12 +27,12 @@ pub(super) struct Look {
 }
 
 impl<'a> Scene<'a> {
-    /// Two of the pieces alone.
+    /// Returns a scene of two of the pieces.
     pub(super) fn pair(&self, i: usize, k: usize) -> Result<Scene<'a>> {
         Ok(Scene { members: alloc::collect([i, k].map(|k| self.members[k]).into_iter())?, reach: self.reach })
     }
 
-    /// The distance of points on the coarser of two pieces.
+    /// Returns the spacing of the coarser of two pieces.
     pub(super) fn spacing(&self, pieces: [usize; 2]) -> f64 {
         let [a, b] = pieces.map(|k| {
             let member = &self.members[k];
@@ -41,7 +41,7 @@ impl<'a> Scene<'a> {
         a.max(b)
     }
 
-    /// The looks at pieces that are near enough, each way, up to a distance.
+    /// Returns the searches between pieces that are near enough, in both directions.
     pub(super) fn looks(&self, poses: &[Pose]) -> Result<Vec<Look>> {
         let bounds = |k: usize| &self.members[k].scan.bounds;
         let is_there = |k: usize| !self.members[k].scan.used.is_empty();
@@ -55,8 +55,8 @@ impl<'a> Scene<'a> {
         alloc::gather(near.map(|pieces| Look { pieces, gate: self.reach }))
     }
 
-    /// What the pieces find on each other, each with one of `part` of its samples. `on`: the
-    /// distance that counts as on a surface, in spacings.
+    /// Runs the searches, each with every `part`-th sample. Points within `on` spacings are on a
+    /// surface.
     pub(super) fn find(
         &self,
         poses: &[Pose],
@@ -64,29 +64,29 @@ impl<'a> Scene<'a> {
         part: usize,
         on: f64,
         job: &Job<'_>,
-    ) -> Result<Vec<([usize; 2], Found)>> {
+    ) -> Result<Vec<([usize; 2], PairReport)>> {
         let found = par::map_jobs(job, STAGE, looks.iter(), |look_at, job| {
             let [a, b] = look_at.pieces.map(|k| Placed { member: &self.members[k], pose: poses[k] });
             let reach = on * self.spacing(look_at.pieces);
             let samples = a.member.samples;
             match (a.member.rim, b.member.rim) {
-                (Some((rim, _)), Some(other)) => look_along(&a, rim, &b, other, look_at.gate, reach, job),
-                _ => look(&a, samples.iter().step_by(part), &b, look_at.gate, reach, job),
+                (Some((rim, _)), Some(other)) => find_rim_pairs(&a, rim, &b, other, look_at.gate, reach, job),
+                _ => find_sample_pairs(&a, samples.iter().step_by(part), &b, look_at.gate, reach, job),
             }
         })?;
         alloc::collect(looks.iter().zip(found).map(|(look, found)| (look.pieces, found)))
     }
 
-    /// What the pieces find on each other within so many spacings.
+    /// Searches between all near pieces, within this number of spacings.
     pub(super) fn find_within(
         &self,
         poses: &[Pose],
         within: f64,
         on: f64,
         job: &Job<'_>,
-    ) -> Result<Vec<([usize; 2], Found)>> {
+    ) -> Result<Vec<([usize; 2], PairReport)>> {
         let mut looks = self.looks(poses)?;
-        // No farther than pairs may be.
+        // The gate does not exceed the reach.
         looks.iter_mut().for_each(|look| look.gate = (within * self.spacing(look.pieces)).min(self.reach));
         self.find(poses, &looks, 1, on, job)
     }

@@ -1,4 +1,4 @@
-//! Components that face each other made to agree in orientation: union-find with parity.
+//! Makes components that face each other agree in orientation, by union-find with parity.
 
 use super::assemble_request::{Assembly, Outcome};
 use super::base::Base;
@@ -12,7 +12,7 @@ use gusset_base::sort::sort_distinct;
 use gusset_mesh::NONE;
 
 impl Base {
-    /// Decides which components are turned over, turns them, and says of each pair whether it can
+    /// Decides which components to turn over, turns them, and returns for each pair whether it can
     /// be joined.
     pub(super) fn make_agree(&mut self, loops: &mut Loops, found: &mut [Facing], keep: bool) -> Result<Vec<Outcome>> {
         let mut outcomes = alloc::filled(Outcome::Joined, found.len())?;
@@ -23,8 +23,8 @@ impl Base {
         sort_distinct(&mut components);
         let place = |component: u32| components.partition_point(|&other| other < component) as u32;
         let mut agreement = ParitySets::new(components.len())?;
-        // What overlaps agrees already, whatever loops seem to say.
-        let mut first_of = alloc::filled(NONE, self.done.maps.len())?;
+        // Overlapping pieces already agree in orientation, whatever their loops suggest.
+        let mut first_of = alloc::filled(NONE, self.assembly.maps.len())?;
         for candidate in loops.candidates.iter().filter(|candidate| candidate.piece != NONE) {
             let (first, own) = (&mut first_of[candidate.piece as usize], place(candidate.component));
             if *first == NONE {
@@ -46,7 +46,7 @@ impl Base {
                 None => rims_disagree(&a, &b)?,
                 Some(_) => arcs_run_the_same_way(&a.points, &b.points)?,
             };
-            // Turning is no way out within one component: such loops are taken as they are.
+            // Turning does not help within one component: such loops are accepted as they run.
             if i != j && !agreement.union(place(i), place(j), against) {
                 *outcome = Outcome::OrientationConflict;
             }
@@ -54,7 +54,7 @@ impl Base {
         let mut turned = alloc::copied(&components)?;
         turned.retain(|&component| agreement.find(place(component)).1);
         let is_turned = |component: u32| turned.binary_search(&component).is_ok();
-        let Assembly { mesh, turned: faces_turned, .. } = &mut self.done;
+        let Assembly { mesh, turned: faces_turned, .. } = &mut self.assembly;
         for (face, turned) in mesh.face_offsets.windows(2).zip(faces_turned) {
             let corners = &mut mesh.face_corners[face[0] as usize..face[1] as usize];
             if is_turned(loops.components.find(corners[0])) {
@@ -67,7 +67,7 @@ impl Base {
                 rim.turn();
             }
         }
-        // Places are counted along the loops as they run now.
+        // Places count along the loops in their new direction.
         for facing in found {
             if let Some(arcs) = &mut facing.arcs {
                 for (arc, r) in arcs.iter_mut().zip(facing.rims) {

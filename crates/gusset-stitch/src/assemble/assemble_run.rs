@@ -5,7 +5,7 @@ use super::base::Base;
 use super::candidates::Facing;
 use super::given_pair::GivenPair;
 use super::piece_loops::Loops;
-use super::trimmed::Spoilt;
+use super::trimmed::Removals;
 use crate::stitch::combine::append_strip;
 use crate::stitch::fair_and_check::fair_and_check;
 use crate::stitch::loop_pairing::mean_gap;
@@ -19,91 +19,93 @@ use gusset_base::job::Job;
 use gusset_base::sort;
 use gusset_mesh::{MeshView, NONE};
 
-/// How wide gaps between trimmed pieces are, in mean edges of the coarsest, if the caller says
-/// nothing; the second where parts would be left alone.
+/// Default widths of gaps between trimmed pieces, in mean edges of the coarsest; the second applies
+/// if parts would stay unjoined.
 const GAP_EDGES: [f64; 2] = [2.5, 4.0];
-/// Rounds in which what is left of trimmed pieces gets less where it cannot be joined; in the first
-/// of them where strips cut, and after these such strips are refused.
+/// Number of rounds that remove faces of trimmed pieces where they cannot be joined.
 const MAX_ROUNDS: u32 = 10;
-const ROUNDS_OF_STRIPS: u32 = 4;
-/// After so many rounds patches that still cut lose their rims whole.
-const WHOLE_AFTER: u32 = 6;
-/// How often loops are looked for that strips have left facing each other.
-const MORE_PASSES: usize = 2;
+/// Number of first rounds that accept intersecting strips and remove faces around them. Later rounds
+/// refuse such strips.
+const STRIP_ROUNDS: u32 = 4;
+/// After this number of rounds, the whole rim of a patch that still intersects is removed.
+const MAX_RING_ROUNDS: u32 = 6;
+/// Number of additional passes over loops that the strips left facing each other.
+const ADDITIONAL_PASSES: usize = 2;
 
-/// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike,
-/// loops that face each other across a gap stitched, holes filled, and closed components turned
-/// outwards, as the options say.
+/// Assembles open pieces into one mesh.
 ///
-/// O(H log d) for the pieces' H half-edges, O(V log V) for the V vertices on loops, the time of
-/// each strip as for [`stitch()`](crate::stitch::stitch()), and where strips are faired or tested
-/// for intersections a pass over all faces for each. Linear extra memory.
+/// As the options request, coincident borders are sewn, components oriented consistently, loops
+/// that face each other across a gap stitched, holes filled, and closed components turned outwards.
+///
+/// O(H log d) for the pieces' H half-edges, O(V log V) for the V vertices on loops, plus the time
+/// of each strip as for [`stitch()`](crate::stitch::stitch()). If strips are faired or tested for
+/// intersections, each takes a pass over all faces. Linear extra memory.
 ///
 /// # Errors
-/// [`Error::EmptyMesh`] without pieces, [`Error::MixedScalars`], [`Error::OptionOutOfRange`] for a
-/// gap or tolerance that is negative or not finite, [`Error::BadLoopPair`] for one of `pairs` or
-/// `excluded` that names no loops that can be joined, [`Error::TooLarge`], [`Error::OutOfMemory`],
-/// [`Error::Cancelled`]. That two loops cannot be joined is no error: see
-/// [`Joint::outcome`].
+/// [`Error::EmptyMesh`] without pieces, [`Error::MixedScalars`]. [`Error::OptionOutOfRange`] for a
+/// gap or tolerance that is negative or not finite. [`Error::BadLoopPair`] for an entry of `pairs`
+/// or `excluded` that does not name loops that can be joined. [`Error::TooLarge`],
+/// [`Error::OutOfMemory`], [`Error::Cancelled`]. Two loops that cannot be joined are not an error;
+/// see [`Joint::outcome`].
 pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Assembly> {
     if let MaxGap::Given(gap) = options.max_gap {
         Error::require((0.0..f64::INFINITY).contains(&gap), "max_gap", gap)?;
     }
     let Overlaps::Trim(how) = options.overlaps else {
         let mut base = Base::new(pieces, None, options, &job.part(0.0, 0.3))?;
-        base.done.left = join(&mut base, options, &mut Cuts::Kept, &job.part(0.3, 0.8))?;
-        return finished(base, options, &job.part(0.8, 1.0)).map(|(done, _)| done);
+        base.assembly.left = join(&mut base, options, &mut Cuts::Kept, &job.part(0.3, 0.8))?;
+        return finish(base, options, &job.part(0.8, 1.0)).map(|(done, _)| done);
     };
     let mut trimmed = trim(pieces, &how, &job.part(0.0, 0.4))?;
-    // Pieces that were cut where they overlap are near each other there: no loop is to look
-    // farther, unless parts are left alone.
+    // Pieces that were cut along an overlap are near each other, so the gap is narrow unless parts
+    // stay unjoined.
     let mut edges = GAP_EDGES[0];
-    // What is left small and alone, and what makes strips or patches cut, goes, and all is done
-    // once more.
+    // Each round removes small unjoined parts, and faces around strips and patches that intersect;
+    // then it starts again.
     let mut round = 0;
     loop {
         let part = |round: u32| 1.0 - 0.6 * 0.7f64.powi(round as i32);
         let (now, then) = (job.part(part(round), part(round + 1)), job.part(part(round + 1), part(round + 1)));
-        let refuses = round >= ROUNDS_OF_STRIPS;
+        let refuses = round >= STRIP_ROUNDS;
         let gap_of = |edges: f64| match options.max_gap {
             MaxGap::Auto => MaxGap::Given(edges * trimmed.spacing),
             given => given,
         };
         let how_wide = Options { max_gap: gap_of(edges), ..*options };
-        let (done, cuts) = joined(pieces, &trimmed, &how_wide, gap_of(GAP_EDGES[1]), refuses, &now)?;
+        let (done, cuts) = join_trimmed(pieces, &trimmed, &how_wide, gap_of(GAP_EDGES[1]), refuses, &now)?;
         let is_final = refuses || cuts.is_empty();
         if is_final && round >= MAX_ROUNDS {
             return Ok(done);
         }
         round += 1;
-        let spoilt = Spoilt::of(pieces, &done, &cuts, how.least_island(), round > WHOLE_AFTER, &then)?;
-        let widens = spoilt.has_alone() && edges == GAP_EDGES[0] && options.max_gap == MaxGap::Auto;
+        let spoilt = Removals::new(pieces, &done, &cuts, how.least_island(), round > MAX_RING_ROUNDS, &then)?;
+        let widens = spoilt.has_unjoined_parts() && edges == GAP_EDGES[0] && options.max_gap == MaxGap::Auto;
         if widens {
             edges = GAP_EDGES[1];
         }
-        if !spoilt.take_out(pieces, &mut trimmed, &done, !widens) && !widens {
+        if !spoilt.remove_from(pieces, &mut trimmed, &done, !widens) && !widens {
             if is_final {
                 return Ok(done);
             }
-            round = ROUNDS_OF_STRIPS;
+            round = STRIP_ROUNDS;
         }
     }
 }
 
-/// What becomes of strips that cut other faces.
+/// The treatment of strips that intersect other faces.
 enum Cuts {
-    /// They are kept, as all are.
+    /// Kept, without a list.
     Kept,
-    /// They are kept, and these are the pairs of faces.
+    /// Kept, and the pairs of faces are listed.
     Listed(Vec<[u32; 2]>),
-    /// They are refused.
+    /// Refused.
     Refused,
 }
 
-/// Joins what is left of the pieces; also the pairs of faces that cut each other: those of strips,
-/// before anything is filled, unless `refuses` says that such strips are not made; else those of
-/// patches.
-fn joined(
+/// Joins the remaining parts of the pieces. Also returns pairs of intersecting faces. They belong
+/// to the strips, before holes are filled. If `refuses` excludes intersecting strips, they belong
+/// to the patches.
+fn join_trimmed(
     pieces: &[MeshView<'_>],
     trimmed: &Trimmed,
     options: &Options<'_>,
@@ -113,37 +115,38 @@ fn joined(
 ) -> Result<(Assembly, Vec<[u32; 2]>)> {
     let mut base = Base::new(pieces, Some(trimmed), options, &job.part(0.0, 0.3))?;
     let mut cuts = if refuses { Cuts::Refused } else { Cuts::Listed(Vec::new()) };
-    base.done.left = join(&mut base, options, &mut cuts, &job.part(0.3, 0.7))?;
-    // Where three pieces meet, the first strips leave loops that face each other, of what is one
-    // component now. Sides of a seam may be farther apart than loops of which nothing is known.
+    base.assembly.left = join(&mut base, options, &mut cuts, &job.part(0.3, 0.7))?;
+    // Where three pieces meet, the first strips leave loops that face each other, now on one
+    // component. The sides of such a seam may be farther apart than unrelated loops.
     let again = Options { within_components: true, pairs: &[], max_gap: wide, ..*options };
-    for pass in 0..MORE_PASSES {
-        let before = base.done.joints.len();
-        alloc::grow(&mut base.piece, base.done.mesh.positions.len(), NONE)?;
-        base.done.left = join(&mut base, &again, &mut cuts, &job.part(0.7, 0.8).share(pass, MORE_PASSES))?;
-        if base.done.joints[before..].iter().all(|joint| joint.outcome != Outcome::Joined) {
+    for pass in 0..ADDITIONAL_PASSES {
+        let before = base.assembly.joints.len();
+        alloc::grow(&mut base.piece, base.assembly.mesh.positions.len(), NONE)?;
+        base.assembly.left = join(&mut base, &again, &mut cuts, &job.part(0.7, 0.8).share(pass, ADDITIONAL_PASSES))?;
+        if base.assembly.joints[before..].iter().all(|joint| joint.outcome != Outcome::Joined) {
             break;
         }
     }
     match cuts {
-        Cuts::Listed(cuts) if !cuts.is_empty() => Ok((base.done, cuts)),
-        _ => finished(base, options, &job.part(0.8, 1.0)),
+        Cuts::Listed(cuts) if !cuts.is_empty() => Ok((base.assembly, cuts)),
+        _ => finish(base, options, &job.part(0.8, 1.0)),
     }
 }
 
-/// Fills and turns what was joined; also the pairs of faces that patches cut.
-fn finished(mut base: Base, options: &Options<'_>, job: &Job<'_>) -> Result<(Assembly, Vec<[u32; 2]>)> {
+/// Fills and turns the joined pieces. Also returns the pairs of faces that patches intersect.
+fn finish(mut base: Base, options: &Options<'_>, job: &Job<'_>) -> Result<(Assembly, Vec<[u32; 2]>)> {
     let is_near = |left: &&LeftLoop| matches!(left.reason, Reason::LooksAway | Reason::Taken | Reason::NotJoined);
-    base.done.near_loops_left = base.done.left.iter().filter(is_near).count() as u32;
-    if base.done.near_loops_left > 0 {
+    base.assembly.near_loops_left = base.assembly.left.iter().filter(is_near).count() as u32;
+    if base.assembly.near_loops_left > 0 {
         job.note("loops are left although others are near: the account of the assembly says why");
     }
     base.finish(options, job)
 }
 
-/// Joins the loops that face each other, as the options say, and returns those that are left.
+/// Joins the loops that face each other, as the options request, and returns the loops that are
+/// left.
 fn join(base: &mut Base, options: &Options<'_>, cuts: &mut Cuts, job: &Job<'_>) -> Result<Vec<LeftLoop>> {
-    let mut loops = Loops::of(base, &job.part(0.0, 0.2))?;
+    let mut loops = Loops::new(base, &job.part(0.0, 0.2))?;
     let excluded = excluded_pairs(base, &loops, options)?;
     let mut found = chosen_pairs(base, &loops, options, &excluded, &job.part(0.2, 0.4))?;
     if options.within_components && matches!(cuts, Cuts::Listed(_) | Cuts::Refused) {
@@ -151,15 +154,15 @@ fn join(base: &mut Base, options: &Options<'_>, cuts: &mut Cuts, job: &Job<'_>) 
     }
     let joined_wholly = alloc::collect(found.iter().map(|facing| facing.arcs.is_none()))?;
 
-    // Components that face each other are made to agree, nearest first.
+    // Make components that face each other agree, nearest first.
     let outcomes = base.make_agree(&mut loops, &mut found, options.keep_orientation)?;
-    alloc::reserve(&mut base.done.joints, found.len())?;
+    alloc::reserve(&mut base.assembly.joints, found.len())?;
     let mut hangs = alloc::filled(false, loops.rims.len())?;
     let mut tried = alloc::filled(false, loops.rims.len())?;
-    let mut edges = loops.edges_between(&base.done.mesh)?;
+    let mut edges = loops.edges_between(&base.assembly.mesh)?;
     let mean_side = std::cell::OnceCell::new();
     options.strip.note_unread(job);
-    let strips = stitch::Options { twist: 0, ..options.strip.of_strip() };
+    let strips = stitch::Options { twist: 0, ..options.strip.strip_options() };
     for (k, (facing, outcome)) in found.iter().zip(outcomes).enumerate() {
         let part = job.part(0.4, 1.0).share(k, found.len());
         let sides = loops.sides(facing)?;
@@ -178,34 +181,34 @@ fn join(base: &mut Base, options: &Options<'_>, cuts: &mut Cuts, job: &Job<'_>) 
             intersections: None,
         };
         if outcome == Outcome::Joined {
-            let bridges = edges.between(facing.rims, &sides)?;
+            let bridges = edges.bridges_between(facing.rims, &sides)?;
             let [a, mut b] = sides;
             b.reverse();
             let is_slit = facing.rims[0] == facing.rims[1];
-            // At its ends there are edges already.
+            // The ends of a slit already have edges.
             let strips = if is_slit { stitch::Options { rows: Rows::None, ..strips } } else { strips };
-            let mean = || *mean_side.get_or_init(|| base.done.mesh.mean_side()) / loops.unit;
-            match Strip::between(a, b, &bridges, &strips, mean, &part.part(0.0, 0.6)) {
+            let mean = || *mean_side.get_or_init(|| base.assembly.mesh.mean_side()) / loops.unit;
+            match Strip::build(a, b, &bridges, &strips, mean, &part.part(0.0, 0.6)) {
                 Err(Error::NoStrip { .. }) => joint.outcome = Outcome::NoStrip,
                 Err(error) => return Err(error),
                 Ok(mut strip) => {
-                    let (mesh, part) = (&base.done.mesh, part.part(0.6, 1.0));
+                    let (mesh, part) = (&base.assembly.mesh, part.part(0.6, 1.0));
                     let checked = fair_and_check(mesh, &mut strip, loops.unit, &bridges, &strips, &part)?;
                     let pairs = checked.intersections.as_deref().unwrap_or_default();
                     match cuts {
                         Cuts::Refused if !pairs.is_empty() => {
                             joint.outcome = Outcome::WouldCut;
-                            base.done.joints.push(joint);
+                            base.assembly.joints.push(joint);
                             continue;
                         }
                         Cuts::Listed(all) => alloc::append(all, pairs)?,
                         Cuts::Kept | Cuts::Refused => {}
                     }
-                    let attached = append_strip(&mut base.done.mesh, &strip, loops.unit)?;
-                    edges.enter_strip(&strip)?;
+                    let attached = append_strip(&mut base.assembly.mesh, &strip, loops.unit)?;
+                    edges.add_strip(&strip)?;
                     let name = |v: u32| attached.names[v as usize];
                     let new = strip.parents.iter().map(|parents| (parents.vertices.map(name), parents.weights));
-                    base.done.history.enter(new)?;
+                    base.assembly.history.add(new)?;
                     joint.sides = [strip.a.vertices, strip.b.vertices];
                     joint.vertices = attached.vertices;
                     joint.faces = attached.faces;
@@ -215,12 +218,12 @@ fn join(base: &mut Base, options: &Options<'_>, cuts: &mut Cuts, job: &Job<'_>) 
                 }
             }
         }
-        base.done.joints.push(joint);
+        base.assembly.joints.push(joint);
     }
     left_loops(loops, options, &excluded, [&hangs, &tried], &job.part(1.0, 1.0))
 }
 
-/// The loops that no strip hangs on, with the reasons.
+/// Returns the loops without a strip, and the reasons.
 fn left_loops(
     loops: Loops,
     options: &Options<'_>,
@@ -242,13 +245,13 @@ fn left_loops(
     Ok(left)
 }
 
-/// The pairs of loops (smaller, larger) that are not to be joined, in ascending order.
+/// Returns the excluded pairs of loops (smaller, larger), in ascending order.
 fn excluded_pairs(base: &Base, loops: &Loops, options: &Options<'_>) -> Result<Vec<[u32; 2]>> {
     let places = loops.places()?;
     let mut excluded = Vec::new();
     for (k, pair) in options.excluded.iter().enumerate() {
-        GivenPair { option: "excluded", number: k as u32, pair }.check_exists(&base.done.maps)?;
-        let (first, second) = (loops.named(base, &places, pair[0])?, loops.named(base, &places, pair[1])?);
+        GivenPair { option: "excluded", number: k as u32, pair }.check_exists(&base.assembly.maps)?;
+        let (first, second) = (loops.loops_named(base, &places, pair[0])?, loops.loops_named(base, &places, pair[1])?);
         let pairs = first.iter().flat_map(|&r| second.iter().map(move |&s| [r.min(s) as u32, r.max(s) as u32]));
         alloc::extend(&mut excluded, pairs)?;
     }
@@ -256,7 +259,7 @@ fn excluded_pairs(base: &Base, loops: &Loops, options: &Options<'_>) -> Result<V
     Ok(excluded)
 }
 
-/// The pairs that were given, and after them those that are found.
+/// Returns the given pairs, then the pairs found by the search.
 fn chosen_pairs(
     base: &Base,
     loops: &Loops,
@@ -269,8 +272,9 @@ fn chosen_pairs(
     let mut found: Vec<Facing> = Vec::new();
     for (k, pair) in options.pairs.iter().enumerate() {
         let given = GivenPair { option: "pairs", number: k as u32, pair };
-        given.check_exists(&base.done.maps)?;
-        let rims = given.rims(|selector| loops.named(base, &places, selector), &taken, |r| loops.slits[r].is_some())?;
+        given.check_exists(&base.assembly.maps)?;
+        let rims =
+            given.rims(|selector| loops.loops_named(base, &places, selector), &taken, |r| loops.slits[r].is_some())?;
         rims.iter().for_each(|&r| taken[r] = true);
         let facing = match &loops.slits[rims[0]] {
             Some(slit) if rims[0] == rims[1] => slit.facing(rims[0]),

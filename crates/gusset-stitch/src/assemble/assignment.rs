@@ -1,9 +1,9 @@
-//! The best choice of pairs: a matching of greatest weight.
+//! One-to-one pairing: a matching of greatest weight.
 //!
-//! Ends that are bound to each other by possible pairs make a group. In a group of up to
-//! [`MAX_EXACT`] ends the best choice is found exactly, by the best choice for each set of ends
-//! (2^n sets); in larger ones the best pair is taken again and again, and then two pairs, or a pair
-//! and an end without one, exchange partners as long as that is better.
+//! Ends that are connected by possible pairs form a group. For groups of up to [`MAX_EXACT`] ends
+//! the optimum is computed by dynamic programming over the sets of ends (2^n sets). In larger
+//! groups the best pair is chosen greedily. Then two pairs, or a pair and a free end, exchange
+//! partners as long as that improves the sum.
 
 use super::candidates::STAGE;
 use gusset_base::alloc;
@@ -12,21 +12,21 @@ use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::job::Job;
 use gusset_base::sort::{self, Buckets};
 
-/// Ends of a group whose best choice is found exactly.
+/// Largest number of ends in a group that is solved exactly.
 const MAX_EXACT: usize = 16;
-/// Sets of ends between two progress reports.
+/// Number of sets of ends between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 18;
 
 /// A possible pair.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Match {
-    /// The smaller end first.
+    /// The two ends, the smaller first.
     pub(super) ends: [u32; 2],
-    /// What it is worth, above 0.
+    /// The weight, above 0.
     pub(super) gain: f64,
 }
 
-/// The numbers of the chosen pairs, in ascending order: no end is in two.
+/// Returns the indices of the chosen pairs, in ascending order. No end belongs to two pairs.
 pub(super) fn best_matches(matches: &[Match], job: &Job<'_>) -> Result<Vec<usize>> {
     let count = matches.iter().map(|pair| pair.ends[1] as usize + 1).max().unwrap_or(0);
     let mut sets = DisjointSets::new(count)?;
@@ -53,9 +53,9 @@ pub(super) fn best_matches(matches: &[Match], job: &Job<'_>) -> Result<Vec<usize
                 job.step(0.0, STAGE)?;
                 sets_seen = 0;
             }
-            exact(&local, ends.len())?
+            exact_matching(&local, ends.len())?
         } else {
-            exchanged(&local, ends.len(), job)?
+            greedy_matching(&local, ends.len(), job)?
         };
         chosen.extend(of_group.into_iter().map(|k| group[k].1));
     }
@@ -63,10 +63,10 @@ pub(super) fn best_matches(matches: &[Match], job: &Job<'_>) -> Result<Vec<usize
     Ok(chosen)
 }
 
-/// Of each set of ends that are still free, the best choice, begun with its smallest end.
-fn exact(matches: &[Match], ends: usize) -> Result<Vec<usize>> {
+/// Computes the optimum for each set of free ends, starting with the pairs of its smallest end.
+fn exact_matching(matches: &[Match], ends: usize) -> Result<Vec<usize>> {
     let sets = 1usize << ends;
-    // The gain, and the pair taken of the smallest end (its number and 1; 0 for none).
+    // The gain, and 1 plus the index of the pair at the smallest end (0 for none).
     let mut best = alloc::filled((0.0f64, 0usize), sets)?;
     let of_end = Buckets::new(ends, 0usize, matches.iter().zip(0..).map(|(pair, k)| (pair.ends[0] as usize, k)))?;
     for set in 1..sets {
@@ -93,8 +93,8 @@ fn exact(matches: &[Match], ends: usize) -> Result<Vec<usize>> {
     Ok(chosen)
 }
 
-/// The best pair again and again, and exchanges of partners.
-fn exchanged(matches: &[Match], ends: usize, job: &Job<'_>) -> Result<Vec<usize>> {
+/// Chooses the best pairs greedily, then exchanges partners.
+fn greedy_matching(matches: &[Match], ends: usize, job: &Job<'_>) -> Result<Vec<usize>> {
     const FREE: usize = usize::MAX;
     let mut order = alloc::collect(0..matches.len())?;
     sort::stable(&mut order, &|&x, &y| matches[y].gain.total_cmp(&matches[x].gain).then(x.cmp(&y)));
@@ -112,7 +112,7 @@ fn exchanged(matches: &[Match], ends: usize, job: &Job<'_>) -> Result<Vec<usize>
         let ends = [p.min(q), p.max(q)];
         sorted.binary_search_by_key(&ends, |&k| matches[k].ends).map_or(FREE, |at| sorted[at])
     };
-    // Each exchange gains, so that it ends; rounds bound the time.
+    // Each exchange gains, so the process terminates; the number of rounds bounds the time.
     for _ in 0..ends {
         let mut changed = false;
         job.step(0.0, STAGE)?;
@@ -123,7 +123,7 @@ fn exchanged(matches: &[Match], ends: usize, job: &Job<'_>) -> Result<Vec<usize>
             if old_p == k {
                 continue;
             }
-            // The two that are left may be a pair.
+            // The two former partners may form a pair.
             let left = match (old_p, old_q) {
                 (FREE, _) | (_, FREE) => FREE,
                 (x, y) => between(other(x, p), other(y, q)),
@@ -152,7 +152,7 @@ fn exchanged(matches: &[Match], ends: usize, job: &Job<'_>) -> Result<Vec<usize>
 mod tests {
     use super::*;
 
-    /// The greatest gain by all choices.
+    /// Returns the greatest gain by enumeration.
     fn brute(matches: &[Match], used: u32) -> f64 {
         let Some((first, rest)) = matches.split_first() else {
             return 0.0;
@@ -190,8 +190,8 @@ mod tests {
             let matches = random(&mut rng, ends, count);
             let best = brute(&matches, 0);
             assert!((gain(&matches, &best_matches(&matches, &Job::default()).unwrap()) - best).abs() < 1e-12);
-            // Taking the best pair again and again gains half of the most there is, or more.
-            let quick = gain(&matches, &exchanged(&matches, ends as usize, &Job::default()).unwrap());
+            // The greedy choice gains at least half of the optimum.
+            let quick = gain(&matches, &greedy_matching(&matches, ends as usize, &Job::default()).unwrap());
             assert!(quick <= best + 1e-12 && quick >= 0.5 * best, "{quick} {best}");
         }
     }
@@ -199,16 +199,16 @@ mod tests {
     #[test]
     fn a_near_wrong_pair_gives_way_to_two_right_ones() {
         let pair = |p, q, gain| Match { ends: [p, q], gain };
-        // 1 and 2 are nearest to each other, and 0 and 3 have nobody else.
+        // Ends 1 and 2 are nearest to each other, but then 0 and 3 stay free.
         let matches = [pair(0, 1, 0.8), pair(1, 2, 0.9), pair(2, 3, 0.8)];
         assert_eq!(best_matches(&matches, &Job::default()).unwrap(), [0, 2]);
-        assert_eq!(exchanged(&matches, 4, &Job::default()).unwrap(), [1]);
+        assert_eq!(greedy_matching(&matches, 4, &Job::default()).unwrap(), [1]);
         assert!(best_matches(&[], &Job::default()).unwrap().is_empty());
     }
 
     #[test]
     fn groups_that_are_too_large_for_all_choices() {
-        // A ring of 40 ends, every second pair a little better.
+        // A ring of 40 ends; every second pair is slightly better.
         let mut matches: Vec<Match> =
             (0..39).map(|k| Match { ends: [k, k + 1], gain: 1.0 + f64::from(k % 2) * 0.01 }).collect();
         matches.push(Match { ends: [0, 39], gain: 1.01 });

@@ -1,4 +1,4 @@
-//! The pieces put together: welded, oriented, and in the end filled and turned outwards.
+//! The combined pieces: welded, oriented, and finally filled and turned outwards.
 
 use super::assemble_request::{Assembly, Options};
 use super::history::History;
@@ -14,19 +14,19 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_mesh::{Defect, MeshView, NONE, concat};
 
-/// The pieces put together, welded and oriented.
+/// The combined pieces, welded and oriented.
 pub(super) struct Base {
-    pub(super) done: Assembly,
-    /// Per vertex of the mesh, the piece that it comes from first.
+    pub(super) assembly: Assembly,
+    /// For each vertex of the mesh, the first piece that it comes from.
     pub(super) piece: Vec<u32>,
-    /// The vertices that sewing made of several, ascending.
+    /// The vertices that sewing merged from several, ascending.
     pub(super) seam: Vec<u32>,
-    /// Pairs of pieces that agree in which side is the front, as they overlap.
+    /// Pairs of overlapping pieces, which agree in orientation.
     pub(super) alike: Vec<[u32; 2]>,
 }
 
 impl Base {
-    /// `trimmed`: what is left of the pieces, if they were trimmed.
+    /// Combines the pieces. `trimmed` has the remaining parts of the pieces if they were trimmed.
     pub(super) fn new(
         pieces: &[MeshView<'_>],
         trimmed: Option<&Trimmed>,
@@ -35,17 +35,17 @@ impl Base {
     ) -> Result<Self> {
         let start = &job.part(0.0, 0.0);
         let Remains { mut mesh, places, mut vertex_map, mut face_map, faces, corners } = match trimmed {
-            Some(trimmed) => Remains::of(pieces, trimmed, start)?,
+            Some(trimmed) => Remains::new(pieces, trimmed, start)?,
             None => untrimmed(pieces, start)?,
         };
         let trimmed_faces = face_map.iter().filter(|&&f| f == NONE).count() as u32;
         let (mut welded_vertices, mut sewn_edges, mut splits) = (0, 0, 0);
         let mut seam = Vec::new();
-        let mut history = History::of(pieces)?;
+        let mut history = History::new(pieces)?;
         if let Some(how) = &options.weld {
             let (view, part) = (mesh.view(&job.part(0.0, 0.1))?, job.part(0.1, 0.5));
             let sewn = match options.edge_to_edge {
-                true => Sew::of(weld(&view, how, &part)?)?,
+                true => Sew::from_weld(weld(&view, how, &part)?)?,
                 false => sew(&view, how, &part)?,
             };
             (welded_vertices, sewn_edges, splits) = (sewn.welded_vertices, sewn.sewn_edges, sewn.splits);
@@ -56,7 +56,7 @@ impl Base {
             through(&mut face_map, &sewn.face_map);
             (mesh, seam) = (sewn.mesh, sewn.seam_vertices);
             (history.corner_origins, history.face_origin) = (sewn.corner_origins, Some(sewn.face_origin));
-            history.enter(sewn.new_vertices.iter().map(|&([a, b], at)| ([a, b, b], [1.0 - at, at, 0.0])))?;
+            history.add(sewn.new_vertices.iter().map(|&([a, b], at)| ([a, b, b], [1.0 - at, at, 0.0])))?;
         }
         if trimmed.is_some() {
             history.before_trimming(faces, corners);
@@ -99,18 +99,19 @@ impl Base {
             non_manifold_edges: 0,
         };
         let alike = trimmed.map_or(Ok(Vec::new()), |trimmed| alloc::copied(&trimmed.pairs))?;
-        Ok(Base { done, piece, seam, alike })
+        Ok(Base { assembly: done, piece, seam, alike })
     }
 
-    /// Fills and turns, as the options say. Also the pairs of faces that patches cut.
+    /// Fills and turns, as the options request. Also returns the pairs of faces that patches
+    /// intersect.
     pub(super) fn finish(self, options: &Options<'_>, job: &Job<'_>) -> Result<(Assembly, Vec<[u32; 2]>)> {
-        let mut done = self.done;
+        let mut done = self.assembly;
         let mut cuts = Vec::new();
         if done.mesh.face_count() == 0 {
             return Ok((done, cuts));
         }
         if let Some(how) = &options.fill {
-            // What cuts is not in the account of an assembly.
+            // The report of an assembly does not list intersections of patches.
             let intersections = match how.intersections {
                 Intersections::Report => Intersections::Ignore,
                 other => other,
@@ -119,7 +120,7 @@ impl Base {
             let filled = fill_holes(&done.mesh.view(&job.part(0.0, 0.1))?, Selection::All, &how, &job.part(0.1, 0.4))?;
             (done.mesh, done.holes, done.hole_rims) = (filled.mesh, filled.holes, filled.rims);
             cuts = filled.intersections.unwrap_or_default();
-            done.history.enter(filled.parents.into_iter().zip(filled.weights))?;
+            done.history.add(filled.parents.into_iter().zip(filled.weights))?;
         }
         if options.outward == Outward::Closed && !options.keep_orientation {
             let outwards = turn_outwards(&mut done.mesh, &job.part(0.4, 0.6))?;
@@ -128,7 +129,7 @@ impl Base {
                 job.note("a closed component encloses no volume, as one piece given twice does");
             }
             for f in outwards.turned {
-                // Faces of strips and patches come after those of the pieces.
+                // The faces of strips and patches follow the faces of the pieces.
                 if let Some(turned) = done.turned.get_mut(f as usize) {
                     *turned ^= true;
                 }
@@ -143,7 +144,7 @@ impl Base {
     }
 }
 
-/// The pieces side by side, without what the faces and corners that are left were: all are left.
+/// Places the pieces side by side. All faces and corners remain, so their origins are empty.
 fn untrimmed(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Remains> {
     let (mesh, places) = concat::concatenate(pieces, job)?;
     let vertex_map = alloc::collect(0..mesh.positions.len() as u32)?;

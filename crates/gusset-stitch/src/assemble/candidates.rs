@@ -1,4 +1,4 @@
-//! What is known of the loops among which those are looked for that face each other.
+//! Properties of the loops among which the search looks for pairs that face each other.
 
 use crate::stitch::facing::Arc;
 use crate::stitch::stitch_rim::Rim;
@@ -10,28 +10,28 @@ use std::cell::Cell;
 pub(super) const STAGE: &str = "looking for loops that face each other";
 const LOOKS_PER_REPORT: usize = 1 << 18;
 
-/// Two loops, by their numbers, or arcs of them.
+/// Two loops by their indices, or arcs of them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Facing {
     pub(super) rims: [usize; 2],
     pub(super) arcs: Option<[Arc; 2]>,
-    /// The mean distance from the vertices of one to the nearest of the other, the larger of the
-    /// two means.
+    /// The mean distance from the vertices of one to the nearest vertex of the other, the larger of
+    /// both means.
     pub(super) gap: f64,
 }
 
 /// Measures of a loop.
 pub(super) struct Candidate {
-    /// Pairs of one component are not looked for unless `within` says so.
+    /// The component. Loops of one component are paired only if `within_components` is true.
     pub(super) component: u32,
-    /// The piece that its first vertex is of.
+    /// The piece of the loop's first vertex.
     pub(super) piece: u32,
-    /// The largest extent of its component along an axis.
+    /// The largest extent of the component along an axis.
     pub(super) size: f64,
-    /// The mean distance of its vertices from their centre.
+    /// The mean distance of the loop's vertices from their centre.
     pub(super) radius: f64,
     pub(super) length: f64,
-    /// The mean length of its edges.
+    /// The mean length of the loop's edges.
     pub(super) spacing: f64,
 }
 
@@ -43,45 +43,45 @@ impl Candidate {
     }
 }
 
-/// A loop whose sides were one border each.
+/// A loop whose two sides belonged to two borders before sewing.
 #[derive(Clone, Copy)]
 pub(super) struct Slit {
-    /// The side with both ends, and the other one.
+    /// The side with both ends, and the other side.
     pub(super) arcs: [Arc; 2],
-    /// The mean distance from the vertices of a side to the other, the larger of the two.
+    /// The mean distance from the vertices of a side to the other side, the larger of both.
     pub(super) gap: f64,
-    /// The sides look at each other, or are near.
+    /// True if the sides face each other, or are near.
     pub(super) closes: bool,
 }
 
 pub(super) struct FacingSearch<'a> {
     pub(super) rims: &'a [Rim],
     pub(super) candidates: &'a [Candidate],
-    /// Loops that are already joined.
+    /// True for loops that are already joined.
     pub(super) used: &'a [bool],
-    /// Of those that sewing left of two, how they lie.
+    /// The sides of each loop that is a slit.
     pub(super) slits: &'a [Option<Slit>],
-    /// Pairs (smaller, larger) that are not wanted, in ascending order.
+    /// Excluded pairs (smaller, larger), in ascending order.
     pub(super) excluded: &'a [[u32; 2]],
     pub(super) within_components: bool,
     pub(super) arcs: bool,
-    /// In the rims' unit; `None` for [`MaxGap::Auto`](super::MaxGap::Auto).
+    /// The limit in the rims' unit; `None` for [`MaxGap::Auto`](super::MaxGap::Auto).
     pub(super) max_gap: Option<f64>,
 }
 
 /// The vertices of all loops, one loop after another.
 pub(super) struct LoopVertices {
     pub(super) points: Vec<DVec3>,
-    /// Of each, its loop.
+    /// The loop of each vertex.
     pub(super) owners: Vec<u32>,
-    /// Of each, what nothing is looked for among.
+    /// The group of each vertex. A search from a vertex skips its own group.
     pub(super) groups: Vec<u32>,
-    /// Of each loop, the number of its first vertex.
+    /// The index of each loop's first vertex.
     pub(super) firsts: Vec<u32>,
 }
 
-/// Counts loops that are looked at, so that no host waits where many meet in a vertex and each is
-/// looked at from most of the others.
+/// Counts visits to loops. A host can then cancel in time even if many loops meet in a vertex and
+/// each visits most of the others.
 #[derive(Default)]
 pub(super) struct Looks(Cell<usize>);
 
@@ -90,8 +90,8 @@ impl Looks {
         self.0.set(self.0.get() + 1);
     }
 
-    /// Whether there have been so many that it is time for a report; they are forgotten then.
-    pub(super) fn were_many(&self) -> bool {
+    /// Returns true, and resets the count, if it is time for a progress report.
+    pub(super) fn take_report_due(&self) -> bool {
         let many = self.0.get() >= LOOKS_PER_REPORT;
         if many {
             self.0.set(0);
@@ -121,8 +121,7 @@ impl FacingSearch<'_> {
             points.extend(&rim.points);
             owners.extend(std::iter::repeat_n(r as u32, rim.points.len()));
         }
-        // Of one component at a time nothing is looked for: whole parts of the tree are passed
-        // over.
+        // Searches skip the vertices of one component, so that whole subtrees are passed over.
         let groups = alloc::collect(owners.iter().map(|&r| match self.within_components {
             true => r,
             false => self.candidates[r as usize].component,

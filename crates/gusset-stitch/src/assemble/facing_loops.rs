@@ -1,11 +1,11 @@
-//! Loops that face each other across a gap.
+//! Search for loops that face each other across a gap.
 //!
-//! Loops that look at each other are joined as wholes (`whole_loops`). Of the others, runs of
-//! neighbouring vertices whose nearest vertices lie on one loop, mutually, form facing arcs, as at
-//! the border of two scans that overlap others elsewhere. Two loops that are the only ones, of two
-//! pieces, are joined whatever they look at, as [`stitch()`](crate::stitch::stitch()) joins them.
+//! Whole loops that face each other are joined first (`whole_loops`). On the other loops, arcs are
+//! runs of neighbouring vertices whose nearest vertices lie on one loop, and conversely. They occur
+//! at the border of two scans that overlap others elsewhere. The only two loops, of two pieces, are
+//! always joined, like in [`stitch()`](crate::stitch::stitch()).
 //!
-//! O(V log V) for V vertices, by a k-d tree over all loops; the criteria are ours.
+//! O(V log V) for V vertices, by a k-d tree over all loops. The criteria are our own.
 
 use super::candidates::{Facing, FacingSearch, Looks, LoopVertices, STAGE};
 use super::whole_loops::{Seen, add_shares, conormals};
@@ -19,18 +19,18 @@ use gusset_base::job::Job;
 use gusset_base::sort::sort_distinct;
 use gusset_mesh::NONE;
 
-/// Largest gap between facing arcs, in mean edge lengths, unless one is given.
+/// Largest gap between facing arcs, in mean edge lengths, unless the caller sets a limit.
 const MAX_ARC_GAP: f64 = 4.0;
 
 const MIN_ARC_VERTICES: usize = 2;
 
-/// An arc is at least this part of its loop's vertices.
+/// An arc has at least this fraction of its loop's vertices.
 const MIN_ARC_SHARE: f64 = 1.0 / 64.0;
 
-/// The least that two arcs look at each other in sum: those of tubes side by side do not.
-const MIN_SUM_OF_LOOKS_OF_ARCS: f64 = 0.3;
+/// Smallest sum of the looks of two arcs at each other. It excludes tubes side by side.
+const MIN_ARC_LOOKS: f64 = 0.3;
 
-/// Vertices between two progress reports.
+/// Number of vertices between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 12;
 
 #[derive(Clone, Copy)]
@@ -42,13 +42,14 @@ struct NearestVertex {
 }
 
 impl FacingSearch<'_> {
-    /// The greatest distance between arcs of loops `r` and `k`.
+    /// Returns the largest gap between arcs of loops `r` and `k`.
     fn arc_limit(&self, r: usize, k: usize) -> f64 {
         let [r, k] = [&self.candidates[r], &self.candidates[k]];
         self.max_gap.unwrap_or((MAX_ARC_GAP * r.spacing.max(k.spacing)).min(0.5 * r.radius.min(k.radius)))
     }
 
-    /// The pairs, in no special order. No loop is in two pairs of wholes; arcs do not overlap.
+    /// Returns the pairs in no particular order. No loop belongs to two pairs of whole loops, and
+    /// arcs do not overlap.
     ///
     /// O(V log V) for V vertices on loops that have others near them.
     pub(super) fn run(&self, job: &Job<'_>) -> Result<Vec<Facing>> {
@@ -65,7 +66,8 @@ impl FacingSearch<'_> {
         Ok(found)
     }
 
-    /// The only two loops, if they are of two pieces and may be joined, and no gap is given.
+    /// Returns the only two loops if they belong to two pieces and may be joined, and no limit is
+    /// given.
     fn lone_pair(&self, job: &Job<'_>) -> Result<Option<Facing>> {
         let of_two_pieces = self.rims.len() == 2 && self.candidates[0].piece != self.candidates[1].piece;
         if !of_two_pieces || self.max_gap.is_some() || self.used[0] || !self.may_join(0, 1) {
@@ -74,7 +76,8 @@ impl FacingSearch<'_> {
         Ok(Some(Facing { rims: [0, 1], arcs: None, gap: mean_gap(&self.rims[0], &self.rims[1], job)? }))
     }
 
-    /// What each vertex of each loop has nearest to it, within twice the limit of arcs.
+    /// Returns the nearest vertex of another loop for each vertex, within twice the limit of whole
+    /// loops.
     fn nearest_vertices(&self, job: &Job<'_>) -> Result<Vec<Vec<NearestVertex>>> {
         let LoopVertices { points, owners, groups, firsts } = self.all_vertices()?;
         let total = points.len();
@@ -87,7 +90,7 @@ impl FacingSearch<'_> {
             let widest = self.max_gap.unwrap_or(self.candidates[r].radius);
             let own = groups[firsts[r] as usize];
             for &p in &rim.points {
-                if done % REPORT_INTERVAL == 0 || looks.were_many() {
+                if done % REPORT_INTERVAL == 0 || looks.take_report_due() {
                     job.step(0.1 + 0.9 * done as f64 / total as f64, STAGE)?;
                 }
                 done += 1;
@@ -110,7 +113,7 @@ impl FacingSearch<'_> {
         Ok(nearest_vertices)
     }
 
-    /// Adds the arcs that face each other of loops that are not joined as wholes.
+    /// Adds facing arcs of loops that are not joined as whole loops.
     fn find_arcs(
         &self,
         nearest_vertices: &[Vec<NearestVertex>],
@@ -123,8 +126,8 @@ impl FacingSearch<'_> {
                 && !whole[r]
                 && !whole[look.rim as usize]
         };
-        // A vertex sees another loop if that looks back at its loop, and not at a part of it that
-        // is far nearer.
+        // A vertex sees another loop if its nearest vertex there looks back at the vertex's loop,
+        // and not at a much nearer part of it.
         let sees = |r: usize, look: &NearestVertex| {
             near(r, look) && {
                 let k = look.rim as usize;
@@ -133,7 +136,7 @@ impl FacingSearch<'_> {
                 near(k, &back) && back.rim as usize == r && look.distance <= 2.0 * back.distance + spacing
             }
         };
-        // (loop, loop it faces, arc), and for each vertex the number of its arc.
+        // (Loop, loop it faces, arc), and for each vertex the index of its arc.
         let mut arcs: Vec<(usize, usize, Arc)> = Vec::new();
         let mut of_vertex = alloc::with_capacity(nearest_vertices.len())?;
         for (r, of_rim) in nearest_vertices.iter().enumerate() {
@@ -142,7 +145,7 @@ impl FacingSearch<'_> {
             sort_distinct(&mut faced);
             for &k in faced.iter().filter(|&&k| k != NONE) {
                 for arc in cyclic_runs(of_rim, |look| look.rim == k && sees(r, look))? {
-                    let arc = trimmed(arc, of_rim);
+                    let arc = trim_ends(arc, of_rim);
                     let least = MIN_ARC_VERTICES.max((MIN_ARC_SHARE * of_rim.len() as f64).ceil() as usize);
                     if arc.count >= least && arc.count < of_rim.len() {
                         arc.places(of_rim.len()).for_each(|i| numbers[i] = arcs.len() as u32);
@@ -152,8 +155,8 @@ impl FacingSearch<'_> {
             }
             of_vertex.push(numbers);
         }
-        // Each arc faces the one that holds most of its nearest vertices; arcs that face each other
-        // are joined.
+        // Each arc faces the arc with most of its nearest vertices. Arcs that face each other are
+        // joined.
         let partner = |&(r, k, arc): &(usize, usize, Arc)| -> Result<(u32, f64)> {
             let mut facing = alloc::with_capacity(arc.count)?;
             let places = arc.places(nearest_vertices[r].len());
@@ -175,7 +178,7 @@ impl FacingSearch<'_> {
         for (x, &(y, gap)) in partners.iter().enumerate() {
             if y != NONE && x < y as usize && partners[y as usize].0 as usize == x {
                 let (first, second) = (arcs[x], arcs[y as usize]);
-                if look(&first) + look(&second) < MIN_SUM_OF_LOOKS_OF_ARCS {
+                if look(&first) + look(&second) < MIN_ARC_LOOKS {
                     continue;
                 }
                 let gap = gap.max(partners[y as usize].1);
@@ -186,9 +189,9 @@ impl FacingSearch<'_> {
     }
 }
 
-/// Trims end vertices that share their nearest vertex with their neighbour, from farther away: they
-/// look back at a corner.
-fn trimmed(arc: Arc, nearest_vertices: &[NearestVertex]) -> Arc {
+/// Removes end vertices that share their nearest vertex with their neighbour but are farther from
+/// it: they look back at a corner.
+fn trim_ends(arc: Arc, nearest_vertices: &[NearestVertex]) -> Arc {
     let look = |i: usize| &nearest_vertices[(arc.first + i) % nearest_vertices.len()];
     let (mut first, mut last) = (0, arc.count.saturating_sub(1));
     let behind = |i: usize, next: usize| look(i).place == look(next).place && look(i).distance > look(next).distance;
@@ -201,7 +204,7 @@ fn trimmed(arc: Arc, nearest_vertices: &[NearestVertex]) -> Arc {
     Arc { first: (arc.first + first) % nearest_vertices.len(), count: last + 1 - first }
 }
 
-/// On which loops the nearest vertices of each lie, in ascending order.
+/// Returns the loops with the nearest vertices of each loop, in ascending order.
 fn neighbours(nearest_vertices: &[Vec<NearestVertex>]) -> Result<Vec<Seen>> {
     let mut seen = Vec::new();
     for (of_rim, r) in nearest_vertices.iter().zip(0u32..) {

@@ -1,4 +1,4 @@
-//! Pairs of loops that the caller names: what they name is looked up, or the fault is said.
+//! Pairs of loops that the caller names: looks up the loops, or reports the fault.
 
 use super::assemble_request::Selector;
 use crate::stitch::IndexMap;
@@ -8,7 +8,7 @@ use gusset_mesh::NONE;
 /// One of the pairs of an option.
 pub(super) struct GivenPair<'a> {
     pub(super) option: &'static str,
-    /// Its number among those given.
+    /// The index of the pair in the option.
     pub(super) number: u32,
     pub(super) pair: &'a [Selector; 2],
 }
@@ -19,7 +19,7 @@ impl GivenPair<'_> {
         Error::BadLoopPair { option: self.option, pair: self.number, side, piece, vertex, fault }
     }
 
-    /// Both pieces exist, and of each the vertex, if one is named.
+    /// Checks that both pieces exist, and the named vertices.
     pub(super) fn check_exists(&self, maps: &[IndexMap]) -> Result<()> {
         for (k, selector) in self.pair.iter().enumerate() {
             let map = maps.get(selector.piece as usize).ok_or_else(|| self.error(k, PairFault::NoPiece))?;
@@ -30,8 +30,8 @@ impl GivenPair<'_> {
         Ok(())
     }
 
-    /// The two rims that the pair names, each by a vertex: different ones that are not `taken` yet,
-    /// or twice one that sewing left of two. `named` gives those that a selector names.
+    /// Returns the two rims that the pair names, each by a vertex. They must be different and not
+    /// `taken` yet, or both the same slit. `named` returns the rims that a selector names.
     pub(super) fn rims(
         &self,
         named: impl Fn(Selector) -> Result<Vec<usize>>,

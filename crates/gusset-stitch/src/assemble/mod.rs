@@ -1,22 +1,21 @@
-//! Assembly: many open pieces into one mesh.
+//! Assembly of many open pieces into one mesh.
 //!
 //! The stages in order:
 //!
-//! 1. The pieces are concatenated, overlaps trimmed on request (`trimmed`), and coincident borders
-//!    sewn ([`sew`](crate::repair::sew)).
+//! 1. The pieces are concatenated. Overlaps are trimmed on request (`trimmed`), and coincident
+//!    borders are sewn ([`sew`](crate::repair::sew)).
 //! 2. Each component is oriented consistently ([`orient`](crate::repair::orient)).
-//! 3. Loops that sewing left of two borders are joined with themselves (`slit`), and loops of
-//!    different components that face each other across a gap are paired (`facing_loops`): whole
-//!    loops that look at each other, by the best one-to-one choice (`whole_loops`, `assignment`),
-//!    or arcs along which one loop is the other's nearest neighbour, as on scans of adjacent parts.
-//! 4. Components are turned over so that they agree across the gaps (`agreement`): each is bound
-//!    to those that it faces, turned or not.
-//! 5. Each pair is stitched, nearest first ([`stitch`](super)).
-//! 6. The remaining holes are filled, on request ([`fill`](crate::fill)).
-//! 7. Closed components of the result that are inside out are turned over, each by its own volume
+//! 3. Slits that sewing left between two borders are joined with themselves (`slit`).
+//! 4. Loops of different components that face each other across a gap are paired (`facing_loops`).
+//!    Whole loops are paired one to one (`whole_loops`, `assignment`). Arcs are paired where one
+//!    loop is the other's nearest neighbour, as on scans of adjacent parts.
+//! 5. Components are turned over so that they agree across the gaps (`agreement`).
+//! 6. Each pair is stitched, nearest first ([`stitch`](super)).
+//! 7. The remaining holes are filled on request ([`fill`](crate::fill)).
+//! 8. Closed components of the result that are inside out are turned over, each by its own volume
 //!    ([`turn_outwards`](crate::repair::orient::turn_outwards())).
 //!
-//! Loops without a partner stay as they are; the report lists every join and every loop left.
+//! Loops without a partner stay open. The report lists every joint and every loop left.
 
 mod agreement;
 mod assemble_request;
@@ -28,7 +27,7 @@ mod edges;
 mod facing_loops;
 mod given_pair;
 mod history;
-mod left;
+mod left_loops;
 mod piece_loops;
 mod slit;
 mod trimmed;

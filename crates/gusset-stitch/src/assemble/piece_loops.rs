@@ -1,4 +1,4 @@
-//! The boundary of the pieces put together.
+//! The boundary loops of the combined pieces.
 
 use super::assemble_request::{LeftLoop, MaxGap, Options, Reason, Selector};
 use super::base::Base;
@@ -15,27 +15,27 @@ use gusset_base::job::Job;
 use gusset_base::sort::sort_distinct;
 use gusset_mesh::{Mesh, NONE, vertex_components};
 
-/// What is left of a seam is at least so many times as long as wide.
-const LEAST_LENGTH: f64 = 10.0;
-/// Loops between two progress reports.
+/// A seam between two loops of one component is at least this many times as long as wide.
+const MIN_SEAM_ASPECT: f64 = 10.0;
+/// Number of loops between two progress reports.
 const LOOPS_PER_REPORT: usize = 1 << 12;
 
-/// The boundary of the base: loops that can carry a strip, and others.
+/// The boundary loops of the combined pieces: loops that can carry a strip, and others.
 pub(super) struct Loops {
     pub(super) rims: Vec<Rim>,
     pub(super) candidates: Vec<Candidate>,
     pub(super) components: DisjointSets,
-    /// Of each loop, if sewing left it of two borders, how its sides lie.
+    /// The sides of each loop that is a slit.
     pub(super) slits: Vec<Option<Slit>>,
-    /// The loops that cannot, with the reason.
+    /// The loops that cannot carry a strip, with the reason.
     pub(super) others: Vec<LeftLoop>,
-    /// What the rims' points are multiplied by.
+    /// The unit of the rims' points.
     pub(super) unit: f64,
 }
 
 impl Loops {
-    pub(super) fn of(base: &Base, job: &Job<'_>) -> Result<Self> {
-        let mesh = &base.done.mesh;
+    pub(super) fn new(base: &Base, job: &Job<'_>) -> Result<Self> {
+        let mesh = &base.assembly.mesh;
         let mut loops = Loops {
             rims: Vec::new(),
             candidates: Vec::new(),
@@ -54,7 +54,7 @@ impl Loops {
         for (number, found) in boundary.iter().enumerate() {
             job.part(1.0, 1.0).step_every(LOOPS_PER_REPORT, number, boundary.len(), STAGE)?;
             if is_usable(&found) {
-                alloc::push(&mut loops.rims, Rim::found(&view, &found)?)?;
+                alloc::push(&mut loops.rims, Rim::from_loop(&view, &found)?)?;
             } else {
                 let reason = if found.vertices.len() < 3 { Reason::TooShort } else { Reason::NotSimple };
                 alloc::push(
@@ -67,7 +67,10 @@ impl Loops {
         let sizes = component_sizes(mesh, &mut loops.components, &loops.rims)?;
         for ((rim, size), found) in loops.rims.iter_mut().zip(sizes).zip(boundary.iter().filter(is_usable)) {
             rim.points.iter_mut().for_each(|p| *p /= loops.unit);
-            alloc::push(&mut loops.slits, Slit::of(&view, &found, rim, loops.unit, &base.seam, &job.part(1.0, 1.0))?)?;
+            alloc::push(
+                &mut loops.slits,
+                Slit::find(&view, &found, rim, loops.unit, &base.seam, &job.part(1.0, 1.0))?,
+            )?;
             let component = loops.components.find(rim.vertices[0]);
             let piece = base.piece[rim.vertices[0] as usize];
             alloc::push(&mut loops.candidates, Candidate::new(rim, component, piece, size / loops.unit))?;
@@ -75,7 +78,7 @@ impl Loops {
         Ok(loops)
     }
 
-    /// The two loops, or arcs of them, each with its surface on the left.
+    /// Returns the two loops, or arcs of them, each with its surface on the left.
     pub(super) fn sides(&self, facing: &Facing) -> Result<[Rim; 2]> {
         let [r, k] = facing.rims;
         let (mut a, mut b) = (self.rims[r].try_clone()?, self.rims[k].try_clone()?);
@@ -86,34 +89,34 @@ impl Loops {
         Ok([a, b])
     }
 
-    /// True if they are of two components, or both sides are many times as long as the gap is wide:
-    /// what is left of a seam, and no two holes beside each other, which a strip would make a
-    /// handle of.
+    /// Returns true if the loops belong to two components, or if both sides are much longer than
+    /// the gap is wide. This is the shape of a gap in a seam. A strip between two holes side by
+    /// side would instead create a handle.
     pub(super) fn is_seam(&self, facing: &Facing) -> bool {
         let [a, b] = facing.rims.map(|r| self.candidates[r].component);
         a != b
             || (0..2).all(|side| {
                 let own = &self.candidates[facing.rims[side]];
                 let vertices = facing.arcs.map_or(self.rims[facing.rims[side]].vertices.len(), |arcs| arcs[side].count);
-                vertices as f64 * own.spacing >= LEAST_LENGTH * facing.gap
+                vertices as f64 * own.spacing >= MIN_SEAM_ASPECT * facing.gap
             })
     }
 
-    /// The edges that the mesh has between vertices of rims. A vertex may be on several.
+    /// Returns the mesh's edges between vertices of rims. A vertex may lie on several rims.
     pub(super) fn edges_between(&self, mesh: &Mesh) -> Result<Edges> {
         let places = self.places()?;
         let mut on_rim = alloc::filled(false, mesh.positions.len())?;
         places.iter().for_each(|&(v, _)| on_rim[v as usize] = true);
-        let mut edges = Edges { of: Vec::new(), places };
+        let mut edges = Edges { edges: Vec::new(), places };
         for face in mesh.faces() {
             for (k, &u) in face.iter().enumerate() {
                 let v = face[(k + 1) % face.len()];
                 if on_rim[u as usize] && on_rim[v as usize] {
-                    edges.enter(u, v)?;
+                    edges.add(u, v)?;
                 }
             }
         }
-        sort_distinct(&mut edges.of);
+        sort_distinct(&mut edges.edges);
         Ok(edges)
     }
 
@@ -139,7 +142,7 @@ impl Loops {
         }
     }
 
-    /// Each vertex on a loop with the loop, in ascending order.
+    /// Returns pairs of a vertex and a loop through it, in ascending order.
     pub(super) fn places(&self) -> Result<Vec<(u32, u32)>> {
         let mut places = alloc::with_capacity(self.rims.iter().map(|rim| rim.vertices.len()).sum())?;
         for (rim, r) in self.rims.iter().zip(0u32..) {
@@ -149,9 +152,9 @@ impl Loops {
         Ok(places)
     }
 
-    /// The loops that a selector names, in ascending order.
-    pub(super) fn named(&self, base: &Base, places: &[(u32, u32)], selector: Selector) -> Result<Vec<usize>> {
-        let Some(map) = base.done.maps.get(selector.piece as usize) else {
+    /// Returns the loops that a selector names, in ascending order.
+    pub(super) fn loops_named(&self, base: &Base, places: &[(u32, u32)], selector: Selector) -> Result<Vec<usize>> {
+        let Some(map) = base.assembly.maps.get(selector.piece as usize) else {
             return Ok(Vec::new());
         };
         if let Some(&vertex) = map.vertices.get(selector.vertex as usize) {
@@ -160,14 +163,14 @@ impl Loops {
         if selector.vertex != NONE {
             return Ok(Vec::new());
         }
-        let mut of_piece = alloc::filled(false, base.done.mesh.positions.len())?;
+        let mut of_piece = alloc::filled(false, base.assembly.mesh.positions.len())?;
         map.vertices.iter().filter(|&&v| v != NONE).for_each(|&v| of_piece[v as usize] = true);
         let has_one = |&r: &usize| self.rims[r].vertices.iter().any(|&v| of_piece[v as usize]);
         alloc::gather((0..self.rims.len()).filter(has_one))
     }
 }
 
-/// For each rim, the largest extent of its component along an axis.
+/// Returns for each rim the largest extent of its component along an axis.
 fn component_sizes(mesh: &Mesh, components: &mut DisjointSets, rims: &[Rim]) -> Result<Vec<f64>> {
     let of_rims = alloc::collect(rims.iter().map(|rim| components.find(rim.vertices[0])))?;
     let mut roots = alloc::copied(&of_rims)?;

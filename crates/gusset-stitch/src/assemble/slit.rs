@@ -1,14 +1,14 @@
-//! What is left of two borders that are sewn along a part.
+//! Slits: the open parts between two borders that are partly sewn.
 //!
-//! Of borders that coincide in some edges only, sewing leaves loops that run along what is left of
-//! one border and back along the other: slits. They turn where sewing made one vertex of several.
-//! A loop that does so is joined with itself if its sides look at each other across less than an
-//! edge, or if they are so near that they may also overlap. What is wider may be a hole that the
-//! seam crosses, and stays open; and the sides of the loop round two patches that are sewn side by
-//! side look away from each other.
+//! If two borders coincide only in some edges, sewing leaves loops that run along the rest of one
+//! border and back along the other. They turn at vertices that sewing merged. A loop of this kind
+//! is joined with itself in two cases. Its sides may face each other across less than an edge, or
+//! they may be so near that they overlap. A wider loop may be a hole that the seam crosses, and
+//! stays open. The sides of the loop around two patches that are sewn side by side look away from
+//! each other.
 //!
-//! One side takes both ends, so that the strip begins and ends at an edge of the other: of M + N
-//! vertices it has M + N - 2 triangles, and nothing is left open. The criteria are ours.
+//! One side takes both ends, so that the strip begins and ends at edges of the other. With M + N
+//! vertices the strip has M + N - 2 triangles, and leaves nothing open. The criteria are our own.
 
 use super::candidates::{Facing, FacingSearch, STAGE, Slit};
 use super::whole_loops::conormals;
@@ -23,24 +23,27 @@ use gusset_base::geom::kd_tree::KdTree;
 use gusset_base::job::Job;
 use gusset_mesh::MeshView;
 
-/// The least that the sides look at each other in sum.
-const MIN_SUM_OF_LOOKS: f64 = 0.3;
+/// Smallest sum of the sides' looks at each other.
+const MIN_LOOKS: f64 = 0.3;
 
-/// Sides are near if their distance is at most this part of the depth of the faces along them, or
-/// of the edges if those are shorter.
-const MAX_PART_OF_DEPTH: f64 = 0.25;
+/// Sides are near if their distance is at most this fraction of the depth of the faces along them,
+/// or of shorter edges.
+const MAX_DEPTH_RATIO: f64 = 0.25;
 
-/// The widest slit, in mean edges, unless a gap is given.
-const MAX_GAP: f64 = 1.0;
+/// The widest slit, in mean edges, unless the caller sets a limit.
+const MAX_GAP_EDGES: f64 = 1.0;
 
-/// Of so many vertices that sewing made of several, each two may be the ends; of more none.
+/// Each two merged vertices of a loop may be the ends of its slit. A loop with more of them is not
+/// a slit.
 const MAX_ENDS: usize = 6;
 
 impl Slit {
-    /// Of a loop that passes some of the `seam`'s vertices, which ascend: with the two ends between
-    /// which the sides are nearest. `unit`: what the rim's points are multiplied by. O(n log n) for
-    /// n vertices, and the corners of the faces along it.
-    pub(super) fn of(
+    /// Returns the slit of a loop that passes vertices of `seam`, which is ascending. Chooses the
+    /// two ends between which the sides are nearest.
+    ///
+    /// `unit` is the unit of the rim's points. O(n log n) for n vertices and the corners of the
+    /// faces along the loop.
+    pub(super) fn find(
         mesh: &MeshView<'_>,
         found: &Loop<'_>,
         rim: &Rim,
@@ -58,11 +61,11 @@ impl Slit {
         let side = |i: usize| rim.points[i].distance(rim.points[(i + 1) % n]);
         let depth = |i: usize| depth(mesh, found.faces[i], rim.points[i], rim.points[(i + 1) % n], unit).min(side(i));
         let (length, area) = (0..n).fold((0.0, 0.0), |(length, area), i| (length + side(i), area + side(i) * depth(i)));
-        let is_near = |gap: f64| gap * length <= MAX_PART_OF_DEPTH * area;
+        let is_near = |gap: f64| gap * length <= MAX_DEPTH_RATIO * area;
         let mut best: Option<Slit> = None;
         for (k, &s) in ends.iter().enumerate() {
             for &t in &ends[k + 1..] {
-                let slit = Slit::between(rim, &conormals, [s, t], is_near, job)?;
+                let slit = Slit::between_ends(rim, &conormals, [s, t], is_near, job)?;
                 let rank = |slit: &Slit| (!slit.closes, slit.gap);
                 let better = |slit: &Slit| best.is_none_or(|best| rank(slit) < rank(&best));
                 best = slit.filter(better).or(best);
@@ -71,8 +74,9 @@ impl Slit {
         Ok(best)
     }
 
-    /// The one that turns at places `s` and `t`; `is_near` tells if sides that far apart are near.
-    fn between(
+    /// Returns the slit with the ends at places `s` and `t`. `is_near` tells whether a gap is
+    /// small.
+    fn between_ends(
         rim: &Rim,
         conormals: &[DVec3],
         [s, t]: [usize; 2],
@@ -92,17 +96,17 @@ impl Slit {
             (Some(x), None) | (None, Some(x)) => (x.0, 2.0 * x.1),
             (None, None) => return Ok(None),
         };
-        Ok(Some(Slit { arcs, gap, closes: looks >= MIN_SUM_OF_LOOKS || is_near(gap) }))
+        Ok(Some(Slit { arcs, gap, closes: looks >= MIN_LOOKS || is_near(gap) }))
     }
 
-    /// The sides of loop `r`, whose slit it is.
+    /// Returns the two sides as a pair of loop `r` with itself.
     pub(super) fn facing(&self, r: usize) -> Facing {
         Facing { rims: [r, r], arcs: Some(self.arcs), gap: self.gap }
     }
 }
 
 impl FacingSearch<'_> {
-    /// The loops that are joined with themselves, along parts of them.
+    /// Returns the slits to be joined with themselves.
     pub(super) fn slits(&self) -> impl Iterator<Item = Facing> + '_ {
         let closes = |&(r, slit): &(usize, Slit)| {
             let (wanted, near) = (self.arcs && !self.used[r], slit.gap <= self.slit_limit(r));
@@ -112,16 +116,16 @@ impl FacingSearch<'_> {
         all.filter(closes).map(|(r, slit)| slit.facing(r))
     }
 
-    /// The greatest distance between the sides of loop `r`.
+    /// Returns the largest gap between the sides of loop `r`.
     pub(super) fn slit_limit(&self, r: usize) -> f64 {
         let own = &self.candidates[r];
-        self.max_gap.unwrap_or((MAX_GAP * own.spacing).min(0.5 * own.radius))
+        self.max_gap.unwrap_or((MAX_GAP_EDGES * own.spacing).min(0.5 * own.radius))
     }
 }
 
-/// How the vertices of an arc see the polyline of `edges` edges from place `first` on: their mean
-/// distance, and the mean cosine of the angle between conormals and the ways there, by length;
-/// `None` of none.
+/// Measures how the vertices of an arc see the polyline with `edges` edges from place `first`.
+/// Returns their mean distance, and the mean cosine between conormals and directions to the
+/// polyline, both weighted by length; `None` without vertices.
 fn look(
     rim: &Rim,
     conormals: &[DVec3],
@@ -149,7 +153,7 @@ fn look(
     Ok((sum > 0.0).then(|| (gap / sum, cosine / sum)))
 }
 
-/// How far face `f` reaches from its edge from `p` to `q`, in `unit`.
+/// Returns the depth of face `f` from its edge from `p` to `q`, in `unit`.
 fn depth(mesh: &MeshView<'_>, f: u32, p: DVec3, q: DVec3, unit: f64) -> f64 {
     let along = (q - p).normalize_or_zero();
     let off = |v: u32| (mesh.positions().get(v) / unit - p).reject_from_normalized(along).length();

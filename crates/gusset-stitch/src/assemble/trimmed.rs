@@ -1,4 +1,4 @@
-//! What has to go of trimmed pieces once what is left of them has been joined.
+//! Removal of faces from trimmed pieces after a trial joint.
 
 use super::assemble_request::Assembly;
 use crate::trim::Trimmed;
@@ -10,34 +10,35 @@ use gusset_base::job::Job;
 use gusset_mesh::{MeshView, NONE};
 use std::ops::Range;
 
-/// A patch that cuts.
+/// A patch that intersects other faces.
 #[derive(Debug, Clone, PartialEq)]
 struct Patch {
     faces: Range<u32>,
-    /// Vertices of its rims.
+    /// The number of vertices on its rims.
     rim: usize,
-    /// Those of them that are beside what was trimmed.
+    /// The number of these vertices beside trimmed faces.
     beside: usize,
-    /// Faces of the part that it closes.
+    /// The number of faces of the part that it closes.
     part: usize,
 }
 
 impl Patch {
-    /// True if its rim goes round most of what it closes, rather than round a gap that trimming
-    /// left or a hole in it. A disc of F triangles has a rim of some 2.3 sqrt(F) edges, and a square
-    /// one of 2.8 sqrt(F).
+    /// Returns true if the rim surrounds most of the part that the patch closes, rather than a gap
+    /// or a hole in it. A disc of F triangles has a rim of about 2.3 sqrt(F) edges, and a square
+    /// 2.8 sqrt(F).
     fn lies_on_surface(&self) -> bool {
         2 * self.beside <= self.rim && self.rim * self.rim > 2 * self.part
     }
 }
 
-/// The patches that cut, in the order of their faces.
+/// The intersecting patches, in the order of their faces.
 struct Patches(Vec<Patch>);
 
 impl Patches {
-    /// `beside`: the vertices beside what was trimmed; `size`: the faces of the part that a vertex
-    /// is of. O(size + c log c) for c cuts.
-    fn of(done: &Assembly, cuts: &[[u32; 2]], beside: &BitSet, size: impl Fn(u32) -> u32) -> Result<Patches> {
+    /// Collects the intersecting patches. `beside` is the set of vertices beside trimmed faces.
+    /// `size` returns the number of faces of a vertex's part. O(size + c log c) for c
+    /// intersections.
+    fn new(done: &Assembly, cuts: &[[u32; 2]], beside: &BitSet, size: impl Fn(u32) -> u32) -> Result<Patches> {
         let mut cutting = alloc::copied(cuts.as_flattened())?;
         cutting.sort_unstable();
         let mut patches: Vec<Patch> = Vec::new();
@@ -49,7 +50,7 @@ impl Patches {
             if at(hole.faces.end) == at(hole.faces.start) {
                 continue;
             }
-            // Several loops may have one patch.
+            // Several loops may share a patch.
             if patches.last().is_none_or(|patch| patch.faces != hole.faces) {
                 alloc::push(&mut patches, Patch { faces: hole.faces.clone(), rim: 0, beside: 0, part: 0 })?;
             }
@@ -62,40 +63,41 @@ impl Patches {
         Ok(Patches(patches))
     }
 
-    /// That of a face, if it has one that cuts.
+    /// Returns the intersecting patch of a face, if any.
     fn cutting(&self, face: u32) -> Option<&Patch> {
         let after = self.0.partition_point(|patch| patch.faces.start <= face);
         self.0[..after].last().filter(|patch| patch.faces.contains(&face))
     }
 }
 
-/// What has to go: small parts that nothing joined with the rest, where they were cut; and, round
-/// what cuts, one ring of what patches and strips hang on.
-pub(super) struct Spoilt {
-    /// Vertices of the result.
+/// The faces to remove: small parts that were cut and stay unjoined, and one ring of faces around
+/// the patches and strips that intersect.
+pub(super) struct Removals {
+    /// Vertices of the result whose faces are removed.
     vertices: BitSet,
-    /// Faces of it.
+    /// Faces of the result on unjoined parts.
     alone: BitSet,
     cuts: bool,
     parts: bool,
 }
 
-impl Spoilt {
-    /// `cuts`: pairs of faces that cut each other. `least`: what has fewer faces is small;
-    /// `whole`: patches that cut lose their rims whole. O(size).
-    pub(super) fn of(
+impl Removals {
+    /// Selects the faces to remove. `cuts` are pairs of intersecting faces. Parts with fewer than
+    /// `least` faces are small. If `whole`, the faces at whole rims of intersecting patches are
+    /// removed. O(size).
+    pub(super) fn new(
         pieces: &[MeshView<'_>],
         done: &Assembly,
         cuts: &[[u32; 2]],
         least: u32,
         whole: bool,
         job: &Job<'_>,
-    ) -> Result<Spoilt> {
+    ) -> Result<Removals> {
         let mesh = &done.mesh;
         let old = done.turned.len();
         let mut spoilt = BitSet::new(mesh.positions.len())?;
         let (mut parts_alone, mut alone) = (false, BitSet::new(mesh.face_count())?);
-        // Vertices beside what was trimmed.
+        // The vertices beside trimmed faces.
         let mut beside = BitSet::new(mesh.positions.len())?;
         for (map, piece) in done.maps.iter().zip(pieces) {
             for f in (0..map.faces.len()).filter(|&f| map.faces[f] == NONE) {
@@ -103,7 +105,7 @@ impl Spoilt {
                 left.for_each(|v| beside.insert(v));
             }
         }
-        // Parts that strips and seams hold together, patches apart.
+        // Strips and seams connect parts; patches do not.
         let unfilled = done.holes.iter().map(|hole| hole.faces.start).min().unwrap_or(mesh.face_count() as u32);
         let mut parts = DisjointSets::new(mesh.positions.len())?;
         for (k, face) in mesh.faces().take(unfilled as usize).enumerate() {
@@ -115,10 +117,10 @@ impl Spoilt {
         let roots = parts.into_roots(job, "putting the pieces together")?;
         let mut sizes = alloc::filled(0u32, roots.len())?;
         mesh.faces().take(unfilled as usize).for_each(|face| sizes[roots[face[0] as usize] as usize] += 1);
-        // The corners of what cuts, and whole rims of patches where that has not helped. A patch
-        // over the border of an open surface lies on it: nothing is to go for that.
+        // Mark the corners of intersecting faces, and whole rims of patches if that did not
+        // suffice. A patch over the border of an open surface lies on it: ignore it.
         let size = |v: u32| sizes[roots[v as usize] as usize];
-        let patches = Patches::of(done, cuts, &beside, size)?;
+        let patches = Patches::new(done, cuts, &beside, size)?;
         let mut is_spoilt = false;
         for pair in cuts {
             if pair.iter().filter_map(|&f| patches.cutting(f)).any(Patch::lies_on_surface) {
@@ -136,7 +138,7 @@ impl Spoilt {
             }
         }
         let largest = sizes.iter().copied().max().unwrap_or(0);
-        // Those that were cut have a vertex of a face that is gone.
+        // A part was cut if it has a vertex of a removed face.
         let mut is_cut = alloc::filled(false, roots.len())?;
         for v in (0..mesh.positions.len()).filter(|&v| beside.contains(v as u32)) {
             is_cut[roots[v] as usize] = true;
@@ -148,17 +150,17 @@ impl Spoilt {
                 alone.insert(f as u32);
             }
         }
-        Ok(Spoilt { vertices: spoilt, alone, cuts: is_spoilt, parts: parts_alone })
+        Ok(Removals { vertices: spoilt, alone, cuts: is_spoilt, parts: parts_alone })
     }
 
-    /// True if there are parts that nothing joined.
-    pub(super) fn has_alone(&self) -> bool {
+    /// Returns true if there are unjoined parts.
+    pub(super) fn has_unjoined_parts(&self) -> bool {
         self.parts
     }
 
-    /// Takes it out of what is left of the pieces, parts that are alone only if `parts` says so;
-    /// false if there was nothing to take.
-    pub(super) fn take_out(
+    /// Removes the selected faces from the trimmed pieces, and faces of unjoined parts only if
+    /// `parts`. Returns false if nothing was removed.
+    pub(super) fn remove_from(
         &self,
         pieces: &[MeshView<'_>],
         trimmed: &mut Trimmed,

@@ -1,23 +1,24 @@
-//! Which loops are joined as wholes: the best one-to-one choice among those that look at each other.
+//! Pairs of whole loops: the best one-to-one choice among loops that look at each other.
 //!
 //! A vertex of a loop looks along its **conormal**, off the surface. Loop R looks at loop K by the
-//! mean cosine, over R's length, of the angle between the conormal and the way to the nearest point
-//! of K: near 1 across a cut, near 0 for loops side by side, negative for one that lies behind.
-//! Two loops that are not too far apart may be joined
+//! mean cosine, over R's length, of the angle between the conormal and the direction to the nearest
+//! point of K. The look is near 1 across a cut, near 0 for loops side by side, and negative for a
+//! loop that lies behind. Two loops within the allowed gap may be joined in two cases:
 //!
-//! * if they look at each other, and nearly all vertices of each that have any loop before them have
-//!   the other not much farther away than the nearest of those, or
-//! * if nearly all vertices of each have their nearest vertex on the other, and these nearest points
-//!   wind once round the other loop, or the distances are alike: but not of two loops that lie beside
-//!   each other, from which the ways run all in one direction, while conormals look all round.
+//! * They look at each other. Nearly all vertices that have any loop ahead of them have the other
+//!   loop at most a little farther away than the nearest loop ahead.
+//! * Nearly all vertices of each loop have their nearest vertex on the other. In addition, these
+//!   nearest points wind once around the other loop, or the distances are similar. The loops must
+//!   not lie beside each other: then all directions to the other loop agree, while conormals point
+//!   all round.
 //!
-//! Of these, pairs are chosen so that the sum of what each saves is greatest (see
-//! [`assignment`](super::assignment)): the nearer, the better they look at each other and the more
-//! alike they are in length, the more.
+//! Pairs are chosen to maximise the sum of their gains (see [`assignment`](super::assignment)). The
+//! gain grows with the nearness, the looks, and the similarity of the lengths.
 //!
-//! Bounds and weights are ours, from pairs that were known: of 91 across slabs cut out of
-//! closed meshes (one seed of `make bench ONLY=truth`) the worse look is above 0.16, the sum of both
-//! above 0.9, and the gap at most 0.19 of the mesh's size; of 124 wrong pairs few look like that.
+//! Bounds and weights are our own, from known pairs. The known pairs are 91 across slabs cut out of
+//! closed meshes (one seed of `make bench ONLY=truth`). Their worse look is above 0.16, the sum of
+//! both above 0.9, and the gap at most 0.19 of the mesh's size. Few of 124 wrong pairs look like
+//! that.
 
 use super::assignment::{Match, best_matches};
 use super::candidates::{Candidate, Facing, FacingSearch, STAGE};
@@ -30,89 +31,92 @@ use gusset_base::geom::kd_tree::KdTree;
 use gusset_base::job::Job;
 use gusset_base::sort::sort_distinct;
 
-/// The least that either loop may look at the other.
+/// Smallest look of either loop at the other.
 const MIN_LOOK: f64 = 0.1;
 
-/// The least that both may together.
-const MIN_SUM_OF_LOOKS: f64 = 0.8;
+/// Smallest sum of the looks.
+const MIN_LOOKS: f64 = 0.8;
 
-/// A loop lies before a vertex within 45 degrees of its conormal.
+/// A loop lies ahead of a vertex within 45 degrees of its conormal.
 const MIN_COSINE_AHEAD: f64 = 0.7;
 
-/// Share of the vertices that have any loop before them, for whom the other one is hardly farther.
-const MIN_SHARE_BEFORE: f64 = 0.8;
+/// Smallest fraction of the vertices with any loop ahead for which the other loop is at most a
+/// little farther.
+const MIN_SHARE_AHEAD: f64 = 0.8;
 
-/// Hardly farther: at most so many times as far.
-const HARDLY_FARTHER: f64 = 3.0;
+/// A loop is a little farther if its distance is at most this multiple of the distance of the
+/// nearest loop ahead.
+const MAX_FARTHER_RATIO: f64 = 3.0;
 
-/// Share of all vertices whose nearest vertex is on the other, for loops round each other.
+/// Smallest fraction of vertices whose nearest vertex is on the other loop, for loops around each
+/// other.
 const MIN_SHARE_NEAR: f64 = 0.9;
 
-/// Distances are alike if the greatest is at most so many times the least, or the spacing.
+/// Distances are similar if the largest is at most this many times the smallest, or the spacing.
 const MAX_DISTANCE_RATIO: f64 = 4.0;
 
-/// Ways run in one direction if the mean of their unit vectors is longer than this.
+/// Directions agree if the mean of their unit vectors is longer than this.
 const MIN_ONE_WAY: f64 = 0.5;
 
-/// And a loop lies beside another if it looks there, or away from there, by less than so much of that
-/// mean.
+/// A loop lies beside another if directions agree, and its look is smaller than this fraction of
+/// their mean.
 const MAX_LOOK_ASIDE: f64 = 0.5;
 
-/// The widest gap that is closed by itself, as a part of the size of the larger component.
-const MAX_PART_OF_SIZE: f64 = 0.2;
+/// The widest gap that is closed by default, relative to the size of the larger component.
+const MAX_SIZE_RATIO: f64 = 0.2;
 
-/// So many vertices of a loop are asked how it looks at another, evenly chosen from all.
+/// Number of evenly spaced vertices of a loop that measure its look at another.
 const SAMPLE_VERTICES: usize = 1 << 10;
 
-/// And so many, which loops there are before it.
+/// Number of evenly spaced vertices of a loop that search for loops ahead.
 const CANDIDATE_SAMPLES: usize = 1 << 7;
 
-/// What a pair saves at least for its gap and for its look, next to the best there can be.
-const LEAST_GAIN: f64 = 0.2;
+/// Smallest factor of a pair's gain for its gap, and for its look, relative to the best.
+const MIN_GAIN_FACTOR: f64 = 0.2;
 
-/// What a pair of loops of one piece saves, next to one of two pieces.
-const SAME_PIECE: f64 = 0.5;
+/// Factor of the gain of a pair of loops on one piece.
+const SAME_PIECE_FACTOR: f64 = 0.5;
 
 /// How one loop sees another.
 #[derive(Clone, Copy)]
 struct Look {
-    /// The mean distance from its vertices to the nearest point of the other.
+    /// The mean distance from its vertices to the nearest point of the other loop.
     gap: f64,
-    /// The mean cosine between its conormals and the way there.
+    /// The mean cosine between its conormals and the directions to the other loop.
     cosine: f64,
-    /// Its distances are alike, or its nearest points wind once round the other.
+    /// True if its distances are similar, or its nearest points wind once around the other loop.
     round: bool,
-    /// It lies beside the other.
+    /// True if it lies beside the other loop.
     beside: bool,
 }
 
-/// The nearest loop before a vertex of a loop.
+/// The nearest loop ahead of a vertex.
 struct Ahead {
     place: u32,
     rim: u32,
     distance: f64,
 }
 
-/// How many vertices of one loop have another nearest to them.
+/// The fraction of one loop's vertices that have another loop nearest to them.
 #[derive(Clone, Copy)]
 pub(super) struct Seen {
-    /// Who sees whom.
+    /// The seeing loop, and the seen loop.
     pub(super) rims: [u32; 2],
     pub(super) share: f64,
 }
 
 impl FacingSearch<'_> {
-    /// The greatest distance between loops `r` and `k`, if they are joined as wholes.
+    /// Returns the largest gap between loops `r` and `k` if they are joined whole.
     pub(super) fn limit(&self, r: usize, k: usize) -> f64 {
         let [r, k] = [&self.candidates[r], &self.candidates[k]];
-        self.max_gap.unwrap_or_else(|| r.radius.min(k.radius).max(MAX_PART_OF_SIZE * r.size.max(k.size)))
+        self.max_gap.unwrap_or_else(|| r.radius.min(k.radius).max(MAX_SIZE_RATIO * r.size.max(k.size)))
     }
 
-    /// The pairs that are joined as wholes; `near`: of which loop each has its nearest vertices, in
-    /// ascending order.
+    /// Returns the pairs of whole loops. `near` lists the loops with the nearest vertices of each
+    /// loop, in ascending order.
     ///
-    /// O(V log V) for V vertices on loops, and for each two loops before one another the time of
-    /// their nearest points.
+    /// O(V log V) for V vertices on loops, plus nearest-point searches for each pair of loops ahead
+    /// of each other.
     pub(super) fn whole_loops(&self, near: &[Seen], job: &Job<'_>) -> Result<Vec<Facing>> {
         let (building, job) = (job.part(0.0, 0.1), job.part(0.1, 1.0));
         let mut trees = alloc::with_capacity(self.rims.len())?;
@@ -121,7 +125,7 @@ impl FacingSearch<'_> {
         }
         let lengths = alloc::try_collect(self.rims.iter().map(|rim| polyline::lengths(&rim.points, true)))?;
         let conormals = alloc::try_collect(self.rims.iter().map(conormals))?;
-        let before = self.loops_before(&conormals, &job.part(0.0, 0.5))?;
+        let before = self.loops_ahead(&conormals, &job.part(0.0, 0.5))?;
         let mut pairs = alloc::gather(near.iter().map(|seen| seen.rims))?;
         for (of_loop, r) in before.iter().zip(0u32..) {
             alloc::extend(&mut pairs, of_loop.iter().map(|ahead| [r, ahead.rim]))?;
@@ -133,25 +137,24 @@ impl FacingSearch<'_> {
             job.step(0.5 + 0.5 * number as f64 / pairs.len() as f64, STAGE)?;
             let near = share(near, [r, k]).min(share(near, [k, r]));
             let [r, k] = [r as usize, k as usize];
-            let hardly_farther = |r: usize, k: usize| share_before(&before[r], &self.rims[r], &trees[k]);
+            let hardly_farther = |r: usize, k: usize| share_ahead(&before[r], &self.rims[r], &trees[k]);
             let before = hardly_farther(r, k).min(hardly_farther(k, r));
-            if before < MIN_SHARE_BEFORE && near < MIN_SHARE_NEAR {
+            if before < MIN_SHARE_AHEAD && near < MIN_SHARE_NEAR {
                 continue;
             }
             let there = look(&self.rims[r], &conormals[r], &self.rims[k], &lengths[k], &trees[k])?;
             let back = look(&self.rims[k], &conormals[k], &self.rims[r], &lengths[r], &trees[r])?;
             let (gap, limit) = (there.gap.max(back.gap), self.limit(r, k));
             let looks = there.cosine + back.cosine;
-            let face =
-                before >= MIN_SHARE_BEFORE && there.cosine.min(back.cosine) >= MIN_LOOK && looks >= MIN_SUM_OF_LOOKS;
-            // Rims that overlap, as hem and waist do, look away from each other.
+            let face = before >= MIN_SHARE_AHEAD && there.cosine.min(back.cosine) >= MIN_LOOK && looks >= MIN_LOOKS;
+            // Overlapping rims, like hem and waist, look away from each other.
             let round = near >= MIN_SHARE_NEAR && there.round && back.round && !(there.beside && back.beside);
             if gap <= limit && (face || round) {
                 let [first, second] = [&self.candidates[r], &self.candidates[k]];
-                let nearness = 1.0 - (1.0 - LEAST_GAIN) * if limit > 0.0 { gap / limit } else { 0.0 };
+                let nearness = 1.0 - (1.0 - MIN_GAIN_FACTOR) * if limit > 0.0 { gap / limit } else { 0.0 };
                 let alike = first.length.min(second.length) / first.length.max(second.length);
-                let piece = if first.piece == second.piece { SAME_PIECE } else { 1.0 };
-                let gain = nearness * (0.5 * looks).max(LEAST_GAIN) * (0.5 + 0.5 * alike) * piece;
+                let piece = if first.piece == second.piece { SAME_PIECE_FACTOR } else { 1.0 };
+                let gain = nearness * (0.5 * looks).max(MIN_GAIN_FACTOR) * (0.5 + 0.5 * alike) * piece;
                 alloc::push(&mut matches, Match { ends: [r as u32, k as u32], gain })?;
                 alloc::push(&mut gaps, gap)?;
             }
@@ -164,15 +167,15 @@ impl FacingSearch<'_> {
         }))
     }
 
-    /// Of some vertices of each loop, the nearest loop before them, where there is any.
-    fn loops_before(&self, conormals: &[Vec<DVec3>], job: &Job<'_>) -> Result<Vec<Vec<Ahead>>> {
+    /// Returns the nearest loop ahead for some vertices of each loop.
+    fn loops_ahead(&self, conormals: &[Vec<DVec3>], job: &Job<'_>) -> Result<Vec<Vec<Ahead>>> {
         let loops = self.all_vertices()?;
         let tree = KdTree::with_groups(&loops.points, &loops.groups, &job.part(0.0, 0.0), STAGE)?;
         let mut before = alloc::with_capacity(self.rims.len())?;
         for (r, rim) in self.rims.iter().enumerate() {
             job.step(r as f64 / self.rims.len() as f64, STAGE)?;
             let own = loops.groups[loops.firsts[r] as usize];
-            let widest = self.max_gap.unwrap_or(self.candidates[r].radius.max(MAX_PART_OF_SIZE * self.largest()));
+            let widest = self.max_gap.unwrap_or(self.candidates[r].radius.max(MAX_SIZE_RATIO * self.largest()));
             let mut of_loop = Vec::new();
             let asked = if self.used[r] { 0 } else { rim.points.len() };
             for i in (0..asked).step_by(rim.points.len().div_ceil(CANDIDATE_SAMPLES)) {
@@ -182,7 +185,7 @@ impl FacingSearch<'_> {
                     let way = loops.points[v as usize] - p;
                     k != r && self.may_join(r, k) && way.dot(ahead) >= MIN_COSINE_AHEAD * way.length()
                 };
-                // A gap in the mean may be wider in places.
+                // A mean gap within the limit may be wider in places.
                 if let Some((squared, v)) = tree.nearest_in_other_groups(p, 4.0 * widest * widest, own, accept) {
                     let rim = loops.owners[v as usize];
                     alloc::push(&mut of_loop, Ahead { place: i as u32, rim, distance: squared.sqrt() })?;
@@ -193,13 +196,14 @@ impl FacingSearch<'_> {
         Ok(before)
     }
 
-    /// The size of the largest component.
+    /// Returns the size of the largest component.
     fn largest(&self) -> f64 {
         self.candidates.iter().map(|candidate: &Candidate| candidate.size).fold(0.0, f64::max)
     }
 }
 
-/// Adds what loop `r` sees: `others`, each as often as it is seen by one of `asked` vertices.
+/// Adds the shares of loop `r`. `others` lists a loop once for each of the `asked` vertices that
+/// see it.
 pub(super) fn add_shares(r: u32, mut others: Vec<u32>, asked: usize, seen: &mut Vec<Seen>) -> Result<()> {
     others.sort_unstable();
     let groups = others.chunk_by(|x, y| x == y);
@@ -207,34 +211,35 @@ pub(super) fn add_shares(r: u32, mut others: Vec<u32>, asked: usize, seen: &mut 
     shares.into_iter().try_for_each(|share| alloc::push(seen, share))
 }
 
-/// The share of a loop's vertices with any loop before them that have another one, whose vertices
-/// are in `tree`, hardly farther away.
-fn share_before(of_loop: &[Ahead], rim: &Rim, tree: &KdTree<'_>) -> f64 {
+/// Returns the fraction of a loop's vertices with any loop ahead that have another loop, whose
+/// vertices are in `tree`, at most a little farther away.
+fn share_ahead(of_loop: &[Ahead], rim: &Rim, tree: &KdTree<'_>) -> f64 {
     let is_near = |ahead: &&Ahead| {
-        let limit = HARDLY_FARTHER * ahead.distance;
+        let limit = MAX_FARTHER_RATIO * ahead.distance;
         tree.nearest(rim.points[ahead.place as usize], limit * limit, |_| true).is_some()
     };
     of_loop.iter().filter(is_near).count() as f64 / of_loop.len().max(1) as f64
 }
 
-/// The share of vertices of the first loop that see the second.
+/// Returns the fraction of the first loop's vertices that see the second loop.
 fn share(seen: &[Seen], rims: [u32; 2]) -> f64 {
     seen.binary_search_by_key(&rims, |seen| seen.rims).map_or(0.0, |at| seen[at].share)
 }
 
-/// The conormals at a loop's vertices: square to the surface's border, in the surface, off it.
+/// Returns the conormals at a loop's vertices: perpendicular to the border, in the surface,
+/// pointing off it.
 pub(super) fn conormals(rim: &Rim) -> Result<Vec<DVec3>> {
     let n = rim.points.len();
     let of_edge = |i: usize| {
         let along = (rim.points[(i + 1) % n] - rim.points[i]).normalize_or_zero();
-        // The surface is on the left, normal x along.
+        // The surface is on the left: conormal = along x normal.
         along.cross(rim.normals[i])
     };
     alloc::collect((0..n).map(|i| (of_edge((i + n - 1) % n) + of_edge(i)).normalize_or_zero()))
 }
 
-/// How `from` sees `to`, whose vertices are in `tree` and lie at `lengths` along it; by length. What
-/// lies upon the other is taken to look at it.
+/// Measures how `from` sees `to`, weighted by length. The vertices of `to` are in `tree`, at
+/// `lengths` along it. A vertex that lies on `to` looks at it.
 fn look(from: &Rim, conormals: &[DVec3], to: &Rim, lengths: &[f64], tree: &KdTree<'_>) -> Result<Look> {
     let n = from.points.len();
     let edge = |i: usize| from.points[i].distance(from.points[(i + 1) % n]);

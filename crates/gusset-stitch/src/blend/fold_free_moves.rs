@@ -1,17 +1,17 @@
-//! Vertices moved as far as no triangle folds.
+//! Vertex moves that stop before a triangle folds.
 
 use crate::remesh::PatchMesh;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
-/// A triangle that turns by more is folded: the cosine.
-const MIN_TURN: f64 = 0.2;
-/// How often a vertex that folds a triangle is taken back halfway.
+/// A triangle is folded if its normal turns by more than this angle, given as its cosine.
+const MIN_FOLD_COSINE: f64 = 0.2;
+/// Largest number of times that a vertex returns halfway.
 const MAX_HALVINGS: u32 = 8;
 
-/// Moves the vertices of `mesh` from `rim` on to `places`, those of triangles that would fold only
-/// part of the way; what folds then still is left to the search for cuts.
+/// Moves the vertices of `mesh` from `rim` to `places`. Vertices of triangles that would fold move
+/// only part of the way. Remaining folds are left to the search for intersections.
 pub(super) fn unfold(mesh: &mut PatchMesh, rim: usize, places: &[DVec3]) -> Result<()> {
     let start = alloc::copied(&mesh.points)?;
     let normal = |points: &[DVec3], triangle: [u32; 3]| {
@@ -28,7 +28,7 @@ pub(super) fn unfold(mesh: &mut PatchMesh, rim: usize, places: &[DVec3]) -> Resu
         let mut folds = alloc::filled(false, places.len())?;
         for &triangle in &mesh.triangles {
             let (before, now) = (normal(&start, triangle), normal(&mesh.points, triangle));
-            if before.dot(now) < MIN_TURN * before.length() * now.length() {
+            if before.dot(now) < MIN_FOLD_COSINE * before.length() * now.length() {
                 triangle.iter().filter_map(|&v| (v as usize).checked_sub(rim)).for_each(|k| folds[k] = true);
             }
         }

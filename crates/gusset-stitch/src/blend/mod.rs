@@ -1,27 +1,29 @@
-//! Blends: fine triangles in the place of coarse ones between rims that stay, on a surface that goes
-//! on as the old one does. What a strip or the triangulation of a hole becomes.
+//! Blends: fine triangles that replace coarse ones between fixed rims, on a surface that continues
+//! the old one. Strips and triangulations of holes become blends.
 //!
-//! The coarse triangles say which way the surface goes. Their sides are halved until they are as
-//! long as the old ones at the rims (more exactly [`SIZE`](plan) of them), short ones are collapsed,
-//! and vertices added where angles are small ([`crate::remesh`]); then all new vertices move to
-//! where a thin plate clamped to the old faces bends least ([`crate::fair`]), more than once, or,
-//! where that cuts, with care or less often. The plate is bent by itself as the coarse triangles
-//! are, their ridges averaged out: one that is flat by itself would narrow to a neck between two
-//! tubes, and, a few radii long, to a point. Across many radii it hangs on them. In a hole it follows
-//! its own averaged curvature from the second solution on. Creases that the old faces do not have are
-//! ironed out. At last the sharp triangles at the shortest edges of the rims are refined: there the
-//! plate would follow round-off.
+//! The coarse triangles guide the surface. Their sides are halved to [`RELATIVE_SIZE`](plan) of the
+//! old sides at the rims, short sides are collapsed, and vertices are inserted at small angles
+//! ([`crate::remesh`]). The new vertices then move to the minimum of a thin plate's energy, clamped
+//! to the old faces ([`crate::fair`]). This is repeated; if the result intersects, with fewer
+//! rounds or with protection against folds.
+//!
+//! The plate has a rest shape: the curvature of the coarse triangles, smoothed over their ridges. A
+//! plate that is flat at rest would narrow to a neck between two tubes, and over a few radii to a
+//! point. Over many radii it follows the coarse triangles. In a hole, the rest shape is the plate's
+//! own smoothed curvature from the second solution on. Creases that the old faces lack are smoothed
+//! out. Finally the sharp triangles at the shortest rim edges are refined; there the plate would
+//! follow round-off.
 //!
 //! Sources: M. Botsch, L. Kobbelt, *A remeshing approach to multiresolution modeling* (2004), for
 //! the order of the steps; P. Liepa, *Filling holes in meshes* (2003), for the plate. The constants
-//! are those of the joints that were nearest to what had been cut out of closed meshes, and whose
-//! angles were best (`make bench ONLY=truth`).
+//! were tuned so that joints come nearest to the parts cut out of closed meshes, with good angles
+//! (`make bench ONLY=truth`).
 //!
 //! | file | subject |
 //! |---|---|
-//! | [`ring`](self) | the old faces round the rims |
+//! | [`ring`](self) | the old faces around the rims |
 //! | [`plan`](self) | the steps |
-//! | [`fold_free_moves`](self) | vertices that fold triangles taken back |
+//! | [`fold_free_moves`](self) | vertex moves without folds |
 
 mod fold_free_moves;
 mod plan;

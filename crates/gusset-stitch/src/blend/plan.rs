@@ -2,79 +2,80 @@
 
 use super::ring::{MAX_SMOOTH_BEND, OldRing};
 use crate::fair::mean_curvature;
-use crate::remesh::{PatchMesh, Sizing, even, growth, insert, needed};
+use crate::remesh::{PatchMesh, Sizing, even, insert, size_growth, vertices_needed};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
-/// How long new sides are, in old ones.
-const SIZE: f64 = 0.8;
-/// Before that sharp triangles are left whose shortest side is below this part of the size.
-const SHORTEST: f64 = 0.3;
-/// And at last below this.
-const SHORTEST_AT_LAST: f64 = 1e-3;
-/// Rounds in which vertices move within the surface, before each solution and at last.
-const SETTLE: [u32; 2] = [2, 5];
-/// Averages over neighbours that make of the strip's curvature, which sits in its ridges, that of
-/// the surface it stands for.
-const SMOOTHING: u32 = 10;
+/// Length of new sides, relative to old ones.
+const RELATIVE_SIZE: f64 = 0.8;
+/// Before fairing, sharp triangles are left if their shortest side is below this fraction of the
+/// size.
+const MIN_SHORTEST_SIDE: f64 = 0.3;
+/// The corresponding fraction in the last step.
+const FINAL_MIN_SHORTEST_SIDE: f64 = 1e-3;
+/// Rounds in which vertices move within the surface, before each solution and in the last step.
+const SETTLE_ROUNDS: [u32; 2] = [2, 5];
+/// Smoothing passes over the strip's curvature, which is concentrated in its ridges.
+const SMOOTHING_PASSES: u32 = 10;
 
 /// How a blend is faired.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Way {
-    /// How often the plate is solved, with refinement before.
+    /// The number of solutions of the plate, each after a refinement.
     pub(crate) rounds: u32,
-    /// Vertices that fold a triangle stay behind: dearer in smoothness, where nothing cuts without.
+    /// If true, vertices that would fold a triangle stay behind. The result is less smooth, so this
+    /// is used only against intersections.
     pub(crate) unfolds: bool,
 }
 
 impl Way {
-    /// Without fairing.
+    /// No fairing.
     pub(crate) const UNFAIRED: Way = Way { rounds: 0, unfolds: true };
 }
 
-/// How many new vertices there may be.
+/// Limits on the number of new vertices.
 #[derive(Clone, Copy)]
 pub(crate) struct Limits {
-    /// That the sizes may ask for, by an estimate. Where more would be needed, all sides grow; where
-    /// the estimate does not fit the shape, there are at most twice as many.
+    /// Estimated number of vertices for the sizes. If more are needed, all sides grow. If the
+    /// estimate is too low for the shape, there are at most twice as many.
     pub(crate) new: u32,
-    /// For each of the rims' vertices so many may be asked for in any case, and as many again for
-    /// sharp angles.
+    /// For each rim vertex, the number of new vertices that is always allowed, and the number in
+    /// addition for sharp angles.
     pub(crate) at_rim: u32,
-    /// Where sides would have to grow by more, there is no blend; nor, if this is finite, where the
-    /// limits are met.
+    /// The blend fails if sides must grow by more than this. If this is finite, it also fails if
+    /// the limits are reached.
     pub(crate) growth: f64,
 }
 
-/// What takes the place of coarse triangles.
+/// The replacement of coarse triangles.
 pub(crate) struct Blend {
-    /// The rims' vertices keep their numbers; the new ones come after them.
+    /// The triangles. Rim vertices keep their numbers, and the new vertices follow.
     pub(crate) triangles: Vec<[u32; 3]>,
-    /// The new vertices, in the unit of the [`OldRing`], but from 0.
+    /// The new vertices, in the unit of the [`OldRing`] and relative to 0.
     pub(crate) points: Vec<DVec3>,
-    /// Where they would be without fairing.
+    /// The positions without fairing.
     pub(crate) unfaired: Vec<DVec3>,
 }
 
-/// What all ways begin with.
+/// The common start of all fairing attempts.
 pub(crate) struct Plan<T: Fn(u32, u32) -> bool> {
     ring: OldRing,
-    /// True of two vertices of the rims that must not get an edge.
+    /// Returns true if two rim vertices must not get an edge.
     taken: T,
-    /// The coarse triangles with sides as long as is wanted.
+    /// The coarse triangles with refined sides.
     mesh: PatchMesh,
     sizing: Sizing,
-    /// Creases of a smaller cosine are ironed out.
+    /// Creases with a smaller cosine are smoothed out.
     min_cosine: f64,
-    /// True of the rims' vertices where old creases end.
+    /// True for rim vertices at which old creases end.
     creased: Vec<bool>,
 }
 
 impl<T: Fn(u32, u32) -> bool> Plan<T> {
-    /// Of triangles between the rims; `None` if the limits do not allow a blend. O(T + n log n) for
-    /// T triangles and n new vertices.
+    /// Plans the blend of triangles between the rims; `None` if the limits do not allow a blend.
+    /// O(T + n log n) for T triangles and n new vertices.
     pub(crate) fn new(
         mut ring: OldRing,
         triangles: Vec<[u32; 3]>,
@@ -84,20 +85,20 @@ impl<T: Fn(u32, u32) -> bool> Plan<T> {
     ) -> Result<Option<Self>> {
         let rim = ring.centred.len();
         let (usual, creased) = ring.bends()?;
-        // Of twice the angle.
+        // The cosine of twice the angle.
         let min_cosine = MAX_SMOOTH_BEND.min(2.0 * usual * usual - 1.0);
         let mut mesh = PatchMesh::new(alloc::copied(&ring.points[..rim])?, triangles)?;
         let mut size = ring.sizes()?;
-        size.iter_mut().for_each(|s| *s *= SIZE);
+        size.iter_mut().for_each(|s| *s *= RELATIVE_SIZE);
         let at_rim = limits.at_rim.saturating_mul(rim as u32);
         let limit = limits.new.max(at_rim);
-        let needed = needed(&mesh, &size);
-        // Of sides without length.
+        let needed = vertices_needed(&mesh, &size);
+        // Sides of length 0 make the estimate infinite.
         if !needed.is_finite() {
             return Ok(None);
         }
         let needed = needed.min(f64::from(limit));
-        let grown = growth(&mesh, &size, limit);
+        let grown = size_growth(&mesh, &size, limit);
         if grown > limits.growth {
             return Ok(None);
         }
@@ -107,23 +108,24 @@ impl<T: Fn(u32, u32) -> bool> Plan<T> {
             size,
             unfaired: alloc::copied(&mesh.points)?,
             curvature: alloc::filled(DVec3::ZERO, rim)?,
-            // Twice the estimate: for shapes that it does not fit.
+            // Twice the estimate, for shapes that need more.
             limit: rim + 2 * needed as usize + at_rim as usize,
-            shortest: SHORTEST,
+            shortest: MIN_SHORTEST_SIDE,
         };
         even(&mut mesh, rim, &mut sizing, &taken, &job.part(0.0, 0.5))?;
         insert(&mut mesh, rim, &mut sizing, &taken, &job.part(0.5, 0.8))?;
         if limits.growth.is_finite() && mesh.points.len() >= sizing.limit {
             return Ok(None);
         }
-        mesh.settle(rim, &taken, SETTLE[0], &job.part(0.8, 1.0))?;
+        mesh.settle(rim, &taken, SETTLE_ROUNDS[0], &job.part(0.8, 1.0))?;
         let closed = |v: usize| v >= rim;
-        sizing.curvature = mean_curvature(&mesh.points, &mesh.triangles, &closed, SMOOTHING, &job.part(1.0, 1.0))?;
+        sizing.curvature =
+            mean_curvature(&mesh.points, &mesh.triangles, &closed, SMOOTHING_PASSES, &job.part(1.0, 1.0))?;
         Ok(Some(Plan { ring, taken, mesh, sizing, min_cosine, creased }))
     }
 
-    /// The blend. For n new vertices O(n log n) and the plate's O(n^1.5), nearly linear on a narrow
-    /// strip.
+    /// Creates the blend. For n new vertices O(n log n), plus O(n^1.5) for the plate; nearly linear
+    /// on a narrow strip.
     pub(crate) fn blend(&self, way: Way, job: &Job<'_>) -> Result<Blend> {
         let (ring, taken, rim) = (&self.ring, &self.taken, self.ring.centred.len());
         let (mut mesh, mut sizing) = (self.mesh.try_clone()?, self.sizing.try_clone()?);
@@ -131,7 +133,7 @@ impl<T: Fn(u32, u32) -> bool> Plan<T> {
             let part = job.part(0.0, 0.6).share(round as usize, way.rounds as usize);
             if round > 0 {
                 insert(&mut mesh, rim, &mut sizing, taken, &part.part(0.0, 0.3))?;
-                mesh.settle(rim, taken, SETTLE[0], &part.part(0.3, 0.4))?;
+                mesh.settle(rim, taken, SETTLE_ROUNDS[0], &part.part(0.3, 0.4))?;
                 if let Some(passes) = ring.follows {
                     sizing.curvature = ring.solved_curvature(&mesh, passes, &part.part(0.4, 0.4))?;
                 }
@@ -139,9 +141,9 @@ impl<T: Fn(u32, u32) -> bool> Plan<T> {
             ring.fair(&mut mesh, &sizing, way.unfolds, &part.part(0.4, 1.0))?;
         }
         mesh.iron(rim, self.min_cosine, &self.creased, &job.part(0.6, 0.7))?;
-        sizing.shortest = SHORTEST_AT_LAST;
+        sizing.shortest = FINAL_MIN_SHORTEST_SIDE;
         insert(&mut mesh, rim, &mut sizing, taken, &job.part(0.7, 0.8))?;
-        mesh.settle(rim, taken, SETTLE[1], &job.part(0.8, 1.0))?;
+        mesh.settle(rim, taken, SETTLE_ROUNDS[1], &job.part(0.8, 1.0))?;
         let back = |points: &[DVec3]| alloc::collect(points[rim..].iter().map(|&p| p + ring.origin));
         Ok(Blend { points: back(&mesh.points)?, unfaired: back(&sizing.unfaired)?, triangles: mesh.triangles })
     }

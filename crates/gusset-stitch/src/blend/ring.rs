@@ -1,5 +1,5 @@
-//! The old faces round a patch: what they ask of its triangles, and the plate that is clamped to
-//! them.
+//! The old faces around a patch: the sizes they imply for its triangles, and the plate that is
+//! clamped to them.
 
 use super::fold_free_moves::unfold;
 use crate::fair::{Continuity, Plate, Shape, Weights, mean_curvature, thin_plate};
@@ -10,58 +10,58 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::sort;
 
-/// New triangles that bend by more than this against each other, and than twice what is usual
-/// between the old faces at the rims, make a crease that those do not have: the cosine.
+/// The cosine of the smallest bend that makes a crease between new triangles. The bend must also
+/// exceed twice the usual bend of the old faces at the rims.
 pub(super) const MAX_SMOOTH_BEND: f64 = std::f64::consts::FRAC_1_SQRT_2;
-/// A rim vertex in more triangles than this is the apex of a fan, and says nothing about slopes.
+/// A rim vertex with more triangles is the apex of a fan, and says little about slopes.
 pub(crate) const MAX_FAN_TRIANGLES: usize = 64;
-/// What is usual: so many of a hundred old edges do not bend by more.
+/// The usual bend is this percentile of the bends of the old edges.
 const USUAL_PERCENT: usize = 95;
 
-/// The old faces that touch the rims: the rims' vertices first, rim by rim, then others.
+/// The old faces that touch the rims. The rim vertices come first, rim by rim, then the others.
 pub(crate) struct OldRing {
-    /// In a unit of about the rims' size, from `origin`.
+    /// The positions relative to `origin`, in a unit of about the rims' size.
     pub(crate) points: Vec<DVec3>,
     pub(crate) origin: DVec3,
     pub(crate) triangles: Vec<[u32; 3]>,
-    /// The faces' sides, face by face.
+    /// The sides of the faces, face by face.
     pub(crate) sides: Vec<(u32, u32)>,
-    /// True of the rims' vertices whose Laplacian the plate counts.
+    /// True for rim vertices whose Laplacian enters the plate's energy.
     pub(crate) centred: Vec<bool>,
-    /// The rims' lengths, and whether they are loops.
+    /// The length of each rim, and whether it is a loop.
     pub(crate) rims: Vec<(usize, bool)>,
-    /// What is wider than this hangs on the first triangles; see [`Shape`].
+    /// Blends wider than this follow the coarse triangles; see [`Shape`].
     pub(crate) reach: f64,
-    /// How the plate is bent by itself once it was solved: `None`: as before; else as it is then,
-    /// its rims included, averaged so often. Where its curvature is the mean of that round it, as
-    /// on a sphere, the plate stays.
+    /// The rest shape of the plate after the first solution: `None` keeps the first one. Otherwise
+    /// it is the solution's own curvature, including the rims, after this number of smoothing
+    /// passes. Curvature that equals its own mean, as on a sphere, is preserved.
     pub(crate) follows: Option<u32>,
-    /// Of the old surface beyond, for continuous curvature.
+    /// The old surface beyond, for curvature continuity.
     pub(crate) beyond: Beyond,
 }
 
 /// The old faces next to those that touch the rims.
 #[derive(Default)]
 pub(crate) struct Beyond {
-    /// What the plate is to have in common with the old surface; without the curvature the rest is
-    /// empty.
+    /// The required continuity with the old surface. Without curvature continuity the other fields
+    /// are empty.
     pub(crate) continuity: Continuity,
     pub(crate) triangles: Vec<[u32; 3]>,
-    /// True of the old vertices after the rims' whose Laplacian is known, in their order.
+    /// For each old vertex after the rims', in order, true if its Laplacian is known.
     pub(crate) centred: Vec<bool>,
 }
 
 impl OldRing {
-    /// How old faces at the rims bend against each other: the cosine that [`USUAL_PERCENT`] of a
-    /// hundred edges reach, at least 0; and of which vertices of the rims an edge bends by more
-    /// than [`MAX_SMOOTH_BEND`].
+    /// Measures the bends of the old faces at the rims. Returns the cosine that [`USUAL_PERCENT`]
+    /// percent of the edges reach, at least 0, and for each rim vertex whether one of its edges
+    /// bends by more than [`MAX_SMOOTH_BEND`].
     pub(super) fn bends(&self) -> Result<(f64, Vec<bool>)> {
         let rim = self.centred.len();
         let mut edges = alloc::with_capacity(3 * self.triangles.len())?;
         for &[a, b, c] in &self.triangles {
             let [p, q, r] = [a, b, c].map(|v| self.points[v as usize]);
             let normal = (q - p).cross(r - p).normalize_or_zero();
-            // A triangle without area has no direction.
+            // A degenerate triangle lacks a normal.
             if normal != DVec3::ZERO {
                 edges.extend([(a, b), (b, c), (c, a)].map(|(u, v)| (u.min(v), u.max(v), normal)));
             }
@@ -78,9 +78,9 @@ impl OldRing {
         Ok((usual.max(0.0), creased))
     }
 
-    /// The mean length of the old sides at each vertex of the rims, by their lengths, so that
-    /// slivers count for little. Next to a vertex of larger size none is smaller than that less its
-    /// distance: a corner that the rim cuts off says nothing about the surface.
+    /// Returns the mean length of the old sides at each rim vertex, weighted by length, so that
+    /// slivers count little. The sizes vary slowly along the rims: each is at least the size of a
+    /// neighbour minus its distance. A corner that the rim cuts off says little about the surface.
     pub(super) fn sizes(&self) -> Result<Vec<f64>> {
         let rim = self.centred.len();
         let mut sums = alloc::filled((0.0, 0.0), rim)?;
@@ -94,7 +94,7 @@ impl OldRing {
         let mut size = alloc::collect(sums.iter().map(|&(squares, sum)| if sum > 0.0 { squares / sum } else { 0.0 }))?;
         let mut first = 0;
         for &(n, closed) in &self.rims {
-            // Twice round, if it is a loop, either way.
+            // Twice around a loop, in both directions.
             let places = if closed { 2 * n } else { n };
             let mut pass = |u: usize, v: usize| {
                 let distance = self.points[u].distance(self.points[v]);
@@ -105,14 +105,15 @@ impl OldRing {
             (1..places).rev().for_each(|k| pass(at(k), at(k - 1)));
             first += n;
         }
-        // Where no side has a length, any size does: nothing will be longer.
+        // If all sides have length 0, any size is valid.
         Ok(size)
     }
 
-    /// Draws the old vertices beyond the rims nearer to them, to where the next new ones would be:
-    /// they are to tell the plate the slope at the rims, and tell little from afar.
+    /// Moves the old vertices beyond the rims towards them, to the distance of the next new
+    /// vertices. The plate reads the slope at the rims from them, and distant vertices are a poor
+    /// guide.
     ///
-    /// Not if they tell its curvature, too, which would be another one.
+    /// Does nothing for curvature continuity, because the move would change the curvature.
     pub(super) fn draw_near(&mut self, size: &[f64]) -> Result<()> {
         if self.beyond.continuity == Continuity::C2 {
             return Ok(());
@@ -138,8 +139,9 @@ impl OldRing {
         Ok(())
     }
 
-    /// The ring's points and then the new ones of a patch, and all triangles over them.
-    fn with(&self, mesh: &PatchMesh) -> Result<(Vec<DVec3>, Vec<[u32; 3]>)> {
+    /// Returns the ring's points followed by the new points of a patch, and all triangles over
+    /// them.
+    fn merged_with(&self, mesh: &PatchMesh) -> Result<(Vec<DVec3>, Vec<[u32; 3]>)> {
         let rim = self.centred.len();
         let old = self.points.len();
         let mut points = alloc::copied(&self.points)?;
@@ -151,21 +153,21 @@ impl OldRing {
         Ok((points, triangles))
     }
 
-    /// The curvature of a patch that was solved, its rims included; see [`mean_curvature`].
+    /// Returns the curvature of a solved patch, including its rims; see [`mean_curvature`].
     pub(super) fn solved_curvature(&self, mesh: &PatchMesh, passes: u32, job: &Job<'_>) -> Result<Vec<DVec3>> {
         let (rim, old) = (self.centred.len(), self.points.len());
-        let (points, triangles) = self.with(mesh)?;
+        let (points, triangles) = self.merged_with(mesh)?;
         let all = mean_curvature(&points, &triangles, &|v| v >= old || v < rim && self.centred[v], passes, job)?;
         let mut own = alloc::copied(&all[..rim])?;
         alloc::append(&mut own, &all[old..])?;
         Ok(own)
     }
 
-    /// Moves the vertices of `mesh` from `rim` on to where a thin plate would have them.
+    /// Moves the vertices of `mesh` from `rim` to the minimum of the thin plate's energy.
     pub(super) fn fair(&self, mesh: &mut PatchMesh, sizing: &Sizing, unfolds: bool, job: &Job<'_>) -> Result<()> {
         let rim = self.centred.len();
         let (old, new) = (self.points.len(), mesh.points.len() - rim);
-        let (mut points, triangles) = self.with(mesh)?;
+        let (mut points, triangles) = self.merged_with(mesh)?;
         let mut free = alloc::filled(false, old + new)?;
         free[old..].fill(true);
         let mut centres = alloc::copied(&free)?;
@@ -176,7 +178,7 @@ impl OldRing {
         alloc::append(&mut curvature, &sizing.curvature[rim..])?;
         let mut places = alloc::copied(&self.points)?;
         alloc::append(&mut places, &sizing.unfaired[rim..])?;
-        // Where the curvature goes on, it is that of the old surface that bends the plate.
+        // With curvature continuity, the old surface's curvature bends the plate.
         let is_bent = self.beyond.continuity == Continuity::C1;
         let plate = Plate {
             triangles: &triangles,

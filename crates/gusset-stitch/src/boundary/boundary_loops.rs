@@ -1,10 +1,10 @@
 //! All boundary loops of a mesh: options, results and the entry point.
 //!
 //! Chooses between `fast`, which reads the faces once, and the exact walk of `walk` over paired
-//! half-edges, and orders the loops by their smallest half-edge. O(H log d) for H half-edges
-//! and at most d at a vertex; linear extra memory.
+//! half-edges. Orders the loops by their smallest half-edges. O(H log d) for H half-edges and
+//! vertices of degree at most d; linear extra memory.
 
-use super::fast::ordinary_walks;
+use super::fast::regular_walks;
 use super::options::{Options, Survey};
 use super::simple_loops::{STAGE, split_simple};
 use super::walk::{Dart, Walker};
@@ -15,37 +15,37 @@ use gusset_base::job::Job;
 use gusset_mesh::{Defect, MeshView, NONE, Topology};
 use std::ops::Range;
 
-/// What is unusual about a loop; a set of bits, 0 for an ordinary closed loop.
+/// Properties of a loop, as a set of bits; 0 for a regular closed loop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct LoopFlags(pub u32);
 
 impl LoopFlags {
-    /// The chain does not close: it has one vertex more than it has edges. (A chain that ends at
-    /// the vertex where it began, in another fan, counts as closed.)
+    /// The chain is open: it has one vertex more than it has edges. A chain that ends at its first
+    /// vertex, but in another fan, counts as closed.
     pub const OPEN: u32 = 1;
-    /// It passes a vertex where the surface touches itself.
+    /// The loop passes a vertex at which the surface touches itself.
     pub const BOW_TIE: u32 = 2;
-    /// It was cut from a longer walk at a vertex that the walk passed twice.
+    /// The loop was cut from a walk that passes a vertex more than once.
     pub const SPLIT: u32 = 4;
-    /// It runs along, or ends at, an edge with three or more faces.
+    /// The loop runs along, or ends at, an edge with three or more faces.
     pub const NON_MANIFOLD: u32 = 8;
-    /// The faces along it disagree in orientation.
+    /// The faces along the loop have inconsistent orientations.
     pub const NOT_ORIENTED: u32 = 16;
-    /// It has an edge of length 0.
+    /// The loop has an edge of length 0.
     pub const ZERO_LENGTH: u32 = 32;
 
-    /// True if any of `bits` is set.
+    /// Returns true if any of `bits` is set.
     pub fn any(self, bits: u32) -> bool {
         self.0 & bits != 0
     }
 }
 
-/// What is unusual about one edge of a loop; a set of bits.
+/// Properties of one edge of a loop, as a set of bits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct EdgeFlags(pub u8);
 
 impl EdgeFlags {
-    /// The loop runs this edge against its face.
+    /// The loop runs the edge against its face.
     pub const REVERSED: u8 = 1;
     /// The edge has three or more faces.
     pub const NON_MANIFOLD: u8 = 2;
@@ -53,24 +53,23 @@ impl EdgeFlags {
     pub const ZERO_LENGTH: u8 = 4;
 }
 
-/// One loop, or one open chain. Edge `i` runs from vertex `i` to vertex `i + 1`, the last one of a
-/// closed loop back to vertex 0.
+/// One loop, or one open chain. Edge `i` runs from vertex `i` to vertex `i + 1`; the last edge of a
+/// closed loop runs back to vertex 0.
 #[derive(Debug, Clone, Copy)]
 pub struct Loop<'a> {
     /// The vertices, each once.
     pub vertices: &'a [u32],
-    /// The half-edge (corner index) that each edge is.
+    /// The half-edge (corner index) of each edge.
     pub half_edges: &'a [u32],
-    /// The face that each edge borders.
+    /// The face along each edge.
     pub faces: &'a [u32],
-    /// [`EdgeFlags`] of each edge.
+    /// The [`EdgeFlags`] of each edge.
     pub edge_flags: &'a [u8],
-    /// [`LoopFlags`].
+    /// The properties of the loop.
     pub flags: LoopFlags,
-    /// The number of the closed walk or chain that this loop was cut from; walks are numbered from
-    /// 0.
+    /// The number of the closed walk or chain that this loop was cut from, counted from 0.
     pub walk: u32,
-    /// The sum of the edges' lengths, in the unit of the positions.
+    /// The sum of the edge lengths, in the unit of the positions.
     pub length: f64,
 }
 
@@ -97,18 +96,18 @@ pub struct Boundary {
 }
 
 impl Boundary {
-    /// The number of loops and open chains.
+    /// Returns the number of loops and open chains.
     pub fn len(&self) -> usize {
         self.records.len()
     }
 
-    /// True if the mesh is closed.
+    /// Returns true if the mesh is closed.
     pub fn is_empty(&self) -> bool {
         self.records.is_empty()
     }
 
-    /// Loop `i`, in the order of each loop's smallest half-edge, which is where a closed loop
-    /// starts.
+    /// Returns loop `i`. Loops are ordered by their smallest half-edges, at which closed loops
+    /// start.
     pub fn get(&self, i: usize) -> Option<Loop<'_>> {
         self.records.get(i).map(|r| Loop {
             vertices: &self.vertices[r.vertices.clone()],
@@ -121,45 +120,44 @@ impl Boundary {
         })
     }
 
-    /// All loops in order.
+    /// Returns all loops in order.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = Loop<'_>> {
         (0..self.len()).map(|i| self.get(i).expect("i < len"))
     }
 
-    /// The number of edges of all loops.
+    /// Returns the number of edges of all loops.
     pub fn edge_count(&self) -> usize {
         self.half_edges.len()
     }
 
-    /// The number of walks before they were cut into simple loops.
+    /// Returns the number of walks before they were cut into simple loops.
     pub fn walk_count(&self) -> u32 {
         self.walks
     }
 
-    /// What is wrong or unusual, sorted: degenerate faces, orientation conflicts and non-manifold
-    /// edges of the whole mesh, and the bow-tie vertices that loops pass.
+    /// Returns the defects in sorted order: degenerate faces, orientation conflicts and
+    /// non-manifold edges of the whole mesh, and the bow-tie vertices on loops.
     pub fn defects(&self) -> &[Defect] {
         &self.defects
     }
 }
 
-/// Walks between two progress reports.
+/// Number of walks between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 12;
 
 /// Finds every free boundary loop of `mesh`.
 ///
-/// O(H log d) for H half-edges and vertices of degree d; extra memory is linear: that of
-/// [`Topology`], 5 bytes a vertex, and the border several times over. With [`Survey::BoundaryOnly`]
-/// O(H + B log B) for a boundary of B edges, and 4 bytes a vertex for each thread, of which at most
-/// 8 take part, unless the boundary is odd.
+/// O(H log d) for H half-edges and vertices of degree d. Extra memory is linear: [`Topology`], 5
+/// bytes per vertex, and several copies of the border. With [`Survey::BoundaryOnly`] and a regular
+/// boundary of B edges: O(H + B log B), and 4 bytes per vertex for each of at most 8 threads.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
-/// [`Error::Cancelled`](gusset_base::Error::Cancelled). Odd places of the mesh are no errors: see
-/// [`LoopFlags`] and [`Boundary::defects`].
+/// [`Error::Cancelled`](gusset_base::Error::Cancelled). Irregularities of the mesh are not errors;
+/// see [`LoopFlags`] and [`Boundary::defects`].
 pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Boundary> {
     if options.survey == Survey::BoundaryOnly
-        && let Some(walks) = ordinary_walks(mesh, &job.part(0.0, 0.5))?
+        && let Some(walks) = regular_walks(mesh, &job.part(0.0, 0.5))?
     {
         let mut boundary = Boundary { walks: walks.len() as u32, ..Boundary::default() };
         let walking = job.part(0.5, 1.0);
@@ -192,26 +190,26 @@ pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> 
         };
         split_simple(&walk, |dart| dart.tail(mesh), |dart| dart.head(mesh), &mut place, &walking, add)?;
     }
-    // In place: a stable sort would ask for memory that may not be there.
+    // Sort in place: a stable sort would need memory that may be refused.
     boundary.records.sort_unstable_by_key(|r| r.smallest);
     alloc::extend(&mut boundary.defects, walker.bow_ties().map(|vertex| Defect::BowTie { vertex }))?;
     job.step(1.0, STAGE)?;
     Ok(boundary)
 }
 
-/// A simple loop or chain, and what it inherits from the walk that it was cut from.
+/// A simple loop or chain, and the properties of the walk that it was cut from.
 struct Piece<'a> {
     darts: &'a [Dart],
     closed: bool,
     walk: u32,
     walk_closed: bool,
-    /// The walk has other pieces.
+    /// True if the walk has other pieces.
     is_split: bool,
 }
 
 impl Piece<'_> {
-    /// The darts in the order in which they become edges: `turned` round if most run against their
-    /// faces, and from the smallest half-edge on if closed.
+    /// Returns the darts as edges of the loop: reversed if `turned`, and from the smallest
+    /// half-edge if closed.
     fn edges(&self, turned: bool) -> impl Iterator<Item = Dart> {
         let n = self.darts.len();
         let smallest = (0..n).min_by_key(|&i| self.darts[i].half_edge).unwrap_or(0);
@@ -221,15 +219,14 @@ impl Piece<'_> {
             (true, true) => n - 1 - smallest,
         };
         (first..first + n).map(move |i| match turned {
-            true => self.darts[n - 1 - i % n].turned(),
+            true => self.darts[n - 1 - i % n].reversed(),
             false => self.darts[i % n],
         })
     }
 }
 
 impl Boundary {
-    /// Appends a piece. `walker`: what is known of the edges and vertices that it passes; `None` if
-    /// they are ordinary.
+    /// Appends a piece. `walker` knows the irregular edges and vertices; `None` if there are none.
     fn add(
         &mut self,
         mesh: &MeshView<'_>,

@@ -1,32 +1,32 @@
-//! Boundary loops at the speed of memory, for meshes that are ordinary along their boundary.
+//! Fast boundary loops, for meshes with a regular boundary.
 //!
-//! Let N(u, v) be the number of half-edges from u to v less the number of those from v to u: 0 at
-//! an inner edge of an oriented surface, 1 or -1 at a border edge. Give each vertex v a number
-//! f(v), one-to-one and far from linear, and keep two sums:
+//! Let N(u, v) be the number of half-edges from u to v minus the number from v to u. N is 0 at an
+//! inner edge of an oriented surface, and 1 or -1 at a border edge. Give each vertex v a hash f(v),
+//! injective and far from linear, and compute two sums:
 //!
-//! * for each vertex, s(v) = sum of N(v, u) f(u): every corner with the vertices p, v, n one after
-//!   another adds f(n) - f(p);
-//! * in all, the area inside the faces if vertex v were the point (v, v^2), in 64 bits: by the
-//!   shoelace formula it is the sum of N(u, v) g(u, v) over all edges, where g(x, y) = x y (y - x).
-//!   A triangle has (y - x)(z - x)(z - y).
+//! * For each vertex, s(v) = sum of N(v, u) f(u). Every corner with consecutive vertices p, v, n
+//!   adds f(n) - f(p).
+//! * Over all faces, the area inside the faces if vertex v were the point (v, v^2), in 64 bits. By
+//!   the shoelace formula it is the sum of N(u, v) g(u, v) over all edges, where g(x, y) = x y (y -
+//!   x). A triangle has (y - x)(z - x)(z - y).
 //!
-//! At an inner vertex s is 0. At a boundary vertex with one border edge in, from u, and one out, to
-//! w, it is f(w) - f(u), which is not 0 as f is one-to-one. So one pass over the corners and a
-//! second one that gathers the half-edges between the vertices where s is not 0 leave little more
-//! than the border itself, to be matched, checked and walked.
+//! At an inner vertex s is 0. At a boundary vertex with one incoming border edge, from u, and one
+//! outgoing, to w, it is f(w) - f(u). This is not 0, because f is injective. A first pass over the
+//! corners computes the sums. A second pass gathers the half-edges between vertices with s != 0.
+//! These are few more than the border itself, and are matched, checked and walked.
 //!
-//! **What is odd shows.** A half-edge twice in one direction, an edge without length, a vertex with
-//! other than one border edge in and one out: then there is no answer here, and the exact way
-//! through all edges is taken. So it is unless the border B that was found explains both sums: it
-//! must pass each vertex whose s is not 0, once, with s = f(w) - f(u), and the area must be that
-//! inside its loops.
+//! **Irregular boundaries are detected**: for example a half-edge that occurs twice in one
+//! direction, an edge with equal ends, or a vertex with several border edges. The result is then
+//! `None`, and the caller uses the exact walk. The border B that was found must also explain both
+//! sums: it must pass each vertex with s != 0 once, with s = f(w)
+//! - f(u), and the area must be the area inside its loops.
 //!
-//! **What can hide.** Let R = N - B be what was not found. Then at every vertex v the sum of R(v,
-//! u) f(u) is 0 in 32 bits, while R has as many edges into v as out of it. With one in and one out
-//! they would be one edge, back and forth, which is none. So through each of its vertices R passes
-//! twice or more, and at each of them hashes cancel by coincidence; and over all of R the areas do
-//! so once more, in 64 bits. Also, N does not see an edge with as many faces one way as the other,
-//! two or more each; nor does anything here see what is odd away from the boundary.
+//! **Undetected cases.** Let R = N - B be the part that was not found. At every vertex v the sum of
+//! R(v, u) f(u) is 0 in 32 bits, and R has the same number of incoming and outgoing edges. With one
+//! of each, they would cancel in R. So R passes each of its vertices at least twice, with a
+//! coincidence of hashes at each one, and a further coincidence of areas in 64 bits. In addition, N
+//! does not detect an edge with two or more faces in each direction, in equal numbers.
+//! Irregularities away from the boundary are not detected either.
 
 use super::walk::Dart;
 use gusset_base::alloc;
@@ -38,34 +38,34 @@ use gusset_base::threads::lock;
 use gusset_mesh::{MeshView, NONE, Visitor};
 use std::sync::{Mutex, PoisonError};
 
-/// Faces that one thread looks at at a time.
+/// Number of faces that one thread visits at a time.
 const CHUNK: usize = 1 << 14;
-/// The most threads that take part, as each sums in an array of its own.
+/// Largest number of threads, because each sums into an array of its own.
 const MAX_SUMS: usize = 8;
 
-/// A half-edge between two vertices whose sums are not 0.
+/// A half-edge between two vertices with s != 0.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Candidate {
-    /// The smaller end, the larger end.
+    /// The smaller end, and the larger end.
     ends: [u32; 2],
-    /// Runs from the smaller to the larger.
+    /// True if the half-edge runs from the smaller to the larger end.
     up: bool,
     half_edge: u32,
 }
 
 const STAGE: &str = "walking along the boundary";
 
-/// Half-edges of the border between two progress reports.
+/// Number of border half-edges between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 15;
 
-/// The closed walks of border half-edges, each from its smallest half-edge on, in the order of
-/// those; or `None` if something along the boundary is odd. Two passes over the corners; extra
-/// memory 4 bytes a vertex for each thread, of which at most 8 take part, and the border.
-pub(super) fn ordinary_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Option<Vec<Vec<Dart>>>> {
+/// Returns the closed walks of border half-edges, each from its smallest half-edge, ordered by
+/// these. Returns `None` if the boundary is irregular. Two passes over the corners; extra memory: 4
+/// bytes per vertex for each of at most 8 threads, and the border.
+pub(super) fn regular_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Option<Vec<Vec<Dart>>>> {
     job.step(0.0, "looking for the boundary")?;
-    // Settled once: asking the system takes a while.
+    // Determined once, because the query takes time.
     let threads = par::at_most(mesh.faces().len().div_ceil(CHUNK).min(MAX_SUMS), job.threads());
-    let sums = Sums::of(mesh, threads)?;
+    let sums = Sums::compute(mesh, threads)?;
     job.step(0.6, "looking for the boundary")?;
     let parts = par::map(threads, par::ranges(mesh.faces().len(), CHUNK), |range| {
         let mut gather = Gather { sums: &sums, found: Vec::new() };
@@ -81,30 +81,31 @@ pub(super) fn ordinary_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Optio
     };
     job.step(0.2, STAGE)?;
     match successors(&border)? {
-        Some(next) if sums.are_of(&border, &next) => walks(mesh, &border, next, &job.part(0.4, 1.0)).map(Some),
+        Some(next) if sums.match_border(&border, &next) => walks(mesh, &border, next, &job.part(0.4, 1.0)).map(Some),
         _ => Ok(None),
     }
 }
 
-/// f: one-to-one, as both steps are. The first one takes u and v to numbers that are
-/// (u - v) (2 (u + v) + c) apart, where the second factor is odd. The square and the shift see to
-/// it that sums of f do not agree just where sums of indices do: there the area may well be 0, too.
+/// The hash f, injective because both steps are. The first step maps u and v to numbers that differ
+/// by (u - v) (2 (u + v) + c), where the second factor is odd. The square and the shift break
+/// linearity: otherwise sums of f would agree where sums of indices agree, and the area could be 0
+/// there too.
 fn f(v: u32) -> u32 {
     let x = v.wrapping_mul(v.wrapping_mul(2).wrapping_add(0x9e37_79b1));
     x ^ (x >> 15)
 }
 
-/// g: the shoelace term of the edge from (x, x^2) to (y, y^2).
+/// The term g: the shoelace term of the edge from (x, x^2) to (y, y^2).
 fn g(x: u32, y: u32) -> u64 {
     (u64::from(x) * u64::from(y)).wrapping_mul(minus(y, x))
 }
 
-/// x - y, in 64 bits.
+/// Returns x - y in 64 bits.
 fn minus(x: u32, y: u32) -> u64 {
     u64::from(x).wrapping_sub(u64::from(y))
 }
 
-/// Both sums over some faces or all.
+/// Both sums over some or all faces.
 struct Sums {
     of_vertex: Vec<u32>,
     area: u64,
@@ -119,8 +120,8 @@ impl Visitor for Sums {
             let after = corners[if i + 1 < count { i + 1 } else { 0 }];
             let sum = &mut self.of_vertex[here as usize];
             *sum = sum.wrapping_add(f(after).wrapping_sub(before));
-            // The face as a fan of triangles: first, here, after; the first and the last of them
-            // have no area.
+            // The face as a fan of triangles (first, here, after). The first and the last of them
+            // are degenerate.
             let area = minus(here, first).wrapping_mul(minus(after, first)).wrapping_mul(minus(after, here));
             self.area = self.area.wrapping_add(area);
             before = f(here);
@@ -130,9 +131,9 @@ impl Visitor for Sums {
 }
 
 impl Sums {
-    /// Each thread sums in an array of its own. All additions wrap round, so that it does not
-    /// matter who adds what.
-    fn of(mesh: &MeshView<'_>, threads: usize) -> Result<Self> {
+    /// Sums over the whole mesh. Each thread sums into an array of its own. All additions wrap, so
+    /// that their order does not matter.
+    fn compute(mesh: &MeshView<'_>, threads: usize) -> Result<Self> {
         let idle: Mutex<Vec<Sums>> = Mutex::new(Vec::new());
         let pool = || lock(&idle);
         let added = par::map(threads, par::ranges(mesh.faces().len(), CHUNK), |range| {
@@ -155,13 +156,13 @@ impl Sums {
         Ok(sums)
     }
 
-    /// s(v) is not 0.
-    fn flags(&self, v: u32) -> bool {
+    /// Returns true if s(v) is not 0.
+    fn is_flagged(&self, v: u32) -> bool {
         self.of_vertex[v as usize] != 0
     }
 
-    /// True if both sums are those of the border, where edge `next[i]` follows edge i.
-    fn are_of(&self, border: &[(u32, u32, u32)], next: &[usize]) -> bool {
+    /// Returns true if both sums match the border, in which edge `next[i]` follows edge i.
+    fn match_border(&self, border: &[(u32, u32, u32)], next: &[usize]) -> bool {
         let fits = |(&(u, v, _), &i): (&(u32, u32, u32), &usize)| {
             self.of_vertex[v as usize] == f(border[i].1).wrapping_sub(f(u))
         };
@@ -171,7 +172,7 @@ impl Sums {
     }
 }
 
-/// Gathers half-edges between vertices whose sums are not 0.
+/// Gathers half-edges between vertices with s != 0.
 struct Gather<'a> {
     sums: &'a Sums,
     found: Vec<Candidate>,
@@ -180,16 +181,20 @@ struct Gather<'a> {
 impl Visitor for Gather<'_> {
     #[inline(always)]
     fn face(&mut self, first: u32, corners: &[u32]) -> Result<()> {
-        // Most faces have no such corner at all.
-        if corners.iter().fold(false, |any, &v| any | self.sums.flags(v)) { self.take(first, corners) } else { Ok(()) }
+        // Most faces lack flagged corners.
+        if corners.iter().fold(false, |any, &v| any | self.sums.is_flagged(v)) {
+            self.collect(first, corners)
+        } else {
+            Ok(())
+        }
     }
 }
 
 impl Gather<'_> {
-    fn take(&mut self, first: u32, corners: &[u32]) -> Result<()> {
+    fn collect(&mut self, first: u32, corners: &[u32]) -> Result<()> {
         let after = corners.iter().cycle().skip(1);
         for ((&u, &v), half_edge) in corners.iter().zip(after).zip(first..) {
-            if self.sums.flags(u) && self.sums.flags(v) {
+            if self.sums.is_flagged(u) && self.sums.is_flagged(v) {
                 alloc::push(&mut self.found, Candidate { ends: [u.min(v), u.max(v)], up: u <= v, half_edge })?;
             }
         }
@@ -197,8 +202,8 @@ impl Gather<'_> {
     }
 }
 
-/// Of the candidates those whose edge has no other half-edge, as (vertex where it starts, where it
-/// ends, half-edge), in the order of their starts; `None` if an edge is odd.
+/// Returns the candidates without an opposite half-edge, as (start, end, half-edge) ordered by
+/// start; `None` if an edge is irregular.
 fn border(mut candidates: Vec<Candidate>) -> Result<Option<Vec<(u32, u32, u32)>>> {
     candidates.sort_unstable();
     let mut border = alloc::with_capacity(candidates.len())?;
@@ -215,13 +220,13 @@ fn border(mut candidates: Vec<Candidate>) -> Result<Option<Vec<(u32, u32, u32)>>
     Ok(Some(border))
 }
 
-/// For each edge of the border the one that follows it; `None` if a vertex has other than one in
-/// and one out.
+/// Returns the next border edge of each; `None` if a vertex does not have exactly one incoming and
+/// one outgoing edge.
 fn successors(border: &[(u32, u32, u32)]) -> Result<Option<Vec<usize>>> {
     if border.windows(2).any(|pair| pair[0].0 == pair[1].0) {
         return Ok(None);
     }
-    // Starts are distinct; every end being a start, each the end of one edge only, it is a
+    // Starts are distinct. If every end is a start, and the end of one edge only, `next` is a
     // permutation.
     let mut next = alloc::with_capacity(border.len())?;
     let mut reached = alloc::filled(false, border.len())?;
@@ -271,16 +276,16 @@ mod tests {
     use gusset_mesh::{Faces, Positions};
     use std::collections::HashMap;
 
-    /// A mesh whose face i has the corners `faces[i]`; the boundary is that of some loops of the
-    /// given lengths.
-    fn check(vertices: u32, faces: &[&[u32]], ordinary: bool, lengths: &[usize]) {
+    /// Checks the boundary loops of a mesh against the given lengths. Face i has the corners
+    /// `faces[i]`.
+    fn check(vertices: u32, faces: &[&[u32]], regular: bool, lengths: &[usize]) {
         let points: Vec<[f64; 3]> = (0..vertices).map(|i| [f64::from(i), 0.5 * f64::from(i % 7), 0.0]).collect();
         let corners = faces.concat();
         let offsets: Vec<u32> = (0..=faces.len()).map(|f| faces[..f].concat().len() as u32).collect();
         let faces = Faces::polygons(&offsets, &corners).unwrap();
         let job = Job::default();
         let mesh = MeshView::new(Positions::from(points.as_slice()), faces, &job).unwrap();
-        assert_eq!(ordinary_walks(&mesh, &job).unwrap().is_some(), ordinary);
+        assert_eq!(regular_walks(&mesh, &job).unwrap().is_some(), regular);
         for survey in [Survey::WholeMesh, Survey::BoundaryOnly] {
             let found = boundary_loops(&mesh, &Options { survey, ..Options::default() }, &job).unwrap();
             assert_eq!(found.iter().map(|l| l.vertices.len()).collect::<Vec<_>>(), lengths);
@@ -288,9 +293,9 @@ mod tests {
     }
 
     #[test]
-    fn ordinary_boundaries_are_found_without_the_exact_way() {
+    fn regular_boundaries_are_found_without_the_exact_walk() {
         check(3, &[&[0, 1, 2]], true, &[3]);
-        // A triangle, a square, a pentagon and a hexagon round vertex 0; and a tetrahedron.
+        // A triangle, a square, a pentagon and a hexagon around vertex 0; and a tetrahedron.
         let round: [&[u32]; 4] = [&[0, 1, 2], &[0, 2, 3, 4], &[0, 4, 5, 6, 7], &[0, 7, 8, 9, 10, 1]];
         check(11, &round, true, &[10]);
         check(4, &[&[0, 1, 2], &[0, 3, 1], &[1, 3, 2], &[2, 3, 0]], true, &[]);
@@ -298,12 +303,12 @@ mod tests {
         check(5, &[&[0, 1, 2], &[2, 3, 4]], false, &[3, 3]);
     }
 
-    /// Every second face of an octahedron: each vertex has two neighbours before it and the two
-    /// opposite ones after it. Three pairs of numbers with the same sum of f make all sums vanish;
-    /// the area does not.
+    /// Every second face of an octahedron: at each vertex, two neighbours precede it and the two
+    /// opposite ones follow it. Three pairs of numbers with equal sums of f make all vertex sums
+    /// vanish. The area does not vanish.
     #[test]
     fn a_planted_coincidence_is_noticed() {
-        // The first of those among the numbers from 8 to 4000.
+        // The first pairs with this property among the numbers from 8 to 4000.
         let limit = 4000;
         let [[a, b], [c, d], [p, q]] = [[197, 1910], [2463, 3503], [2519, 3070]];
         let octahedron: [&[u32]; 4] = [&[a, c, p], &[a, d, q], &[b, c, q], &[b, d, p]];
@@ -315,7 +320,7 @@ mod tests {
         }
         assert!(total.len() == 6 && total.values().all(|&sum| sum == 0), "the coincidence");
         check(limit, &octahedron, false, &[3, 3, 3, 3]);
-        // Beside a loop that is ordinary, and one that touches the octahedron.
+        // Next to a regular loop, and next to a loop that touches the octahedron.
         let [x, y, z, w] = octahedron;
         check(limit, &[x, y, z, w, &[0, 1, 2]], false, &[3, 3, 3, 3, 3]);
         check(limit, &[x, y, z, w, &[0, 1, a]], false, &[3, 3, 3, 3, 3]);

@@ -2,28 +2,27 @@
 //!
 //! Source: S. Nesterenko, *The algorithm for polygonal networks of cross-linking*, algorithm 1. The
 //! paper walks from free edge to free edge (an edge with a face on exactly one side) until it
-//! returns to the start. As printed it has one loop, of undefined direction, and need not end;
-//! here:
+//! returns to the start. The printed algorithm finds one loop, of undefined direction, and may not
+//! terminate. Here:
 //!
-//! * **Direction.** A loop runs as the faces along it run their own half-edges. With faces
-//!   counter-clockwise from outside, the surface is on the **left** and the hole on the right of
-//!   someone who walks along the loop on the outside.
-//! * **Fan by fan.** From the end of a free edge the walk turns through the faces round that
-//!   vertex, from each to its neighbour across the shared edge, until it meets the next free edge.
-//!   Every free edge has exactly one successor and one predecessor, so the walk cannot run into a
-//!   cycle that it did not start from, and it visits each free edge once.
-//! * **Simple loops.** Where a walk passes a vertex again (a bow-tie, or two holes that touch) it
-//!   is cut there, so that every loop passes each of its vertices once. Loops that were cut from
-//!   one walk carry the same walk number.
-//! * **Edges with three or more faces** end a fan. Each of their faces then has a border of its own
-//!   there, and the loop runs along it ([`NonManifold::Cut`]) or ends as an open chain
-//!   ([`NonManifold::Stop`]). Both are flagged.
-//! * **Faces that disagree in orientation** do not stop a walk; the loop takes the direction of
-//!   most of its faces and marks the edges where it runs against theirs.
+//! * **Direction.** A loop runs in the direction of its faces' half-edges. If faces are
+//!   counter-clockwise from outside, the surface lies on the **left** of the loop and the hole on the
+//!   right, seen from outside.
+//! * **Fan by fan.** From the end of a free edge the walk rotates through the fan of faces around
+//!   the vertex to the next free edge. Every free edge has exactly one successor and one
+//!   predecessor. So the walk returns to its start, and visits each free edge once.
+//! * **Simple loops.** A walk is cut where it passes a vertex again (a bow-tie, or two holes that
+//!   touch). Every loop therefore passes each of its vertices once. Loops that were cut from one
+//!   walk have equal walk numbers.
+//! * **Edges with three or more faces** end a fan. Each of their faces has its own border there. The
+//!   loop runs along it ([`NonManifold::Cut`]) or ends as an open chain ([`NonManifold::Stop`]).
+//!   Both cases are flagged.
+//! * **Inconsistent orientation** does not stop a walk. The loop takes the direction of most of its
+//!   faces, and flags the edges that it runs against their faces.
 //!
-//! Files: `options` and `boundary_loops` have the types and the entry point, `walk` goes from free edge to
-//! free edge, `simple_loops` makes simple loops, and `fast` finds ordinary boundaries without looking at
-//! every edge.
+//! Files: `options` and `boundary_loops` have the types and the entry point. `walk` walks from free
+//! edge to free edge, and `simple_loops` cuts the walks. `fast` finds regular boundaries without
+//! pairing all edges.
 
 mod boundary_loops;
 mod fast;

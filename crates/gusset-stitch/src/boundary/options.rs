@@ -2,14 +2,14 @@
 
 use gusset_base::choices;
 
-/// What a boundary does at an edge with three or more faces.
+/// The treatment of edges with three or more faces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum NonManifold {
-    /// Each face at such an edge has a border of its own there: loops run along it and are always
+    /// Each face at such an edge has its own border there. Loops run along it and are always
     /// closed.
     #[default]
     Cut,
-    /// Only edges with exactly one face belong to loops; a walk that meets such an edge ends there,
+    /// Only edges with exactly one face belong to loops. A walk that meets such an edge ends there,
     /// as an open chain.
     Stop,
 }
@@ -19,25 +19,26 @@ choices! { for NonManifold:
     Stop => "Stop", "Loops end there, as open chains.";
 }
 
-/// How closely the mesh is looked at.
+/// How much of the mesh is examined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Survey {
-    /// Every edge: all that is wrong or unusual in the mesh is reported, and flagged on the loops.
+    /// Every edge. All defects of the mesh are reported, and flagged on the loops.
     #[default]
     WholeMesh,
-    /// As little as will give the loops, which is many times faster. Where the boundary itself is
-    /// odd (open, touching itself, badly oriented, with three faces on an edge) the whole mesh is
-    /// looked at after all, and everything reported. But what is away from the boundary is not
-    /// reported, nor an edge with as many faces one way as the other, two or more each, and loops
-    /// are not cut there.
+    /// As little as the loops require, which is many times faster.
+    ///
+    /// If the boundary itself is irregular (open, touching itself, inconsistently oriented, with
+    /// three faces at an edge), the whole mesh is examined. Otherwise defects away from the
+    /// boundary are not reported, and neither are edges with two or more faces in each direction,
+    /// in equal numbers. Loops are not cut at such edges.
     BoundaryOnly,
 }
 
-/// How loops are found.
+/// Options of [`boundary_loops`](super::boundary_loops()).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Options {
-    /// At edges with three or more faces.
+    /// The treatment of edges with three or more faces.
     pub non_manifold: NonManifold,
-    /// How closely the mesh is looked at.
+    /// How much of the mesh is examined.
     pub survey: Survey,
 }

@@ -1,19 +1,19 @@
-//! Division of a walk that visits a vertex twice into simple loops.
+//! Division of a walk that repeats vertices into simple loops.
 
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_mesh::NONE;
 
-/// What a host reads of walks and their parts.
+/// The progress message of the walks.
 pub(super) const STAGE: &str = "walking along the boundary";
 
-/// Cuts `walk`, whose steps lead from `tail` to `head`, at every vertex that it passes again, and
-/// gives each simple piece to `emit`, with whether it is closed.
+/// Cuts `walk` at every vertex that it repeats. Its steps lead from `tail` to `head`. Calls `emit`
+/// with each simple piece, and whether it is closed.
 ///
-/// The walk is laid on a stack; when it arrives at a vertex that is still on the stack, what lies
-/// above that vertex is a simple loop and is taken off. Linear time. `place` has one entry for each
-/// vertex of the mesh, all [`NONE`], and is left so.
+/// The steps are pushed on a stack. If a step arrives at a vertex that is on the stack, the steps
+/// above the vertex form a simple loop and are popped. Linear time. `place` has an entry for each
+/// vertex of the mesh, all [`NONE`], and is restored.
 pub(crate) fn split_simple<Step: Copy>(
     walk: &[Step],
     tail: impl Fn(Step) -> u32,
@@ -22,7 +22,7 @@ pub(crate) fn split_simple<Step: Copy>(
     job: &Job<'_>,
     mut emit: impl FnMut(&[Step], bool) -> Result<()>,
 ) -> Result<()> {
-    // place[v] = position on the stack of the step that leaves v.
+    // place[v] is the position on the stack of the step that leaves v.
     let mut stack: Vec<Step> = alloc::with_capacity(walk.len())?;
     for (k, &step) in walk.iter().enumerate() {
         job.step_within(k, STAGE)?;
@@ -37,8 +37,7 @@ pub(crate) fn split_simple<Step: Copy>(
             }
         }
     }
-    // A closed walk ends where it began, and its last arrival has emptied the stack; what is left
-    // is an open chain.
+    // The last step of a closed walk empties the stack. The remaining steps form an open chain.
     if !stack.is_empty() {
         emit(&stack, false)?;
         stack.iter().for_each(|&step| place[tail(step) as usize] = NONE);

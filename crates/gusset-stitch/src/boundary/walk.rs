@@ -1,8 +1,8 @@
-//! The walk from free edge to free edge, through the fan of faces round each vertex.
+//! The walk from free edge to free edge, through the fan of faces around each vertex.
 //!
-//! Source: Nesterenko, algorithm 1, as corrected (see the parent module). Every free edge has
-//! one successor and one predecessor, so the walk is a permutation of the free edges and visits
-//! each once. O(faces of the fans).
+//! Source: Nesterenko, algorithm 1, as corrected (see the parent module). Every free edge has one
+//! successor and one predecessor, so the walk is a permutation of the free edges and visits each
+//! once. O(faces of the fans).
 
 use super::options::NonManifold;
 use super::simple_loops::STAGE;
@@ -11,7 +11,7 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_mesh::{MeshView, Opposite, Topology};
 
-/// A half-edge with a direction of travel: forward is its own.
+/// A half-edge with a direction of travel; `forward` means its own direction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Dart {
     pub(super) half_edge: u32,
@@ -19,18 +19,18 @@ pub(super) struct Dart {
 }
 
 impl Dart {
-    pub(super) fn turned(self) -> Dart {
+    pub(super) fn reversed(self) -> Dart {
         Dart { forward: !self.forward, ..self }
     }
 
-    /// The vertex that it leaves.
+    /// Returns the start vertex.
     pub(super) fn tail(self, mesh: &MeshView<'_>) -> u32 {
         if self.forward { origin(mesh, self.half_edge) } else { target(mesh, self.half_edge) }
     }
 
-    /// The vertex that it arrives at.
+    /// Returns the end vertex.
     pub(super) fn head(self, mesh: &MeshView<'_>) -> u32 {
-        self.turned().tail(mesh)
+        self.reversed().tail(mesh)
     }
 }
 
@@ -42,18 +42,18 @@ fn target(mesh: &MeshView<'_>, h: u32) -> u32 {
     mesh.faces().corner(mesh.faces().next(h))
 }
 
-/// Finds the walks along the border one after the other.
+/// Finds the walks along the border one after another.
 pub(super) struct Walker<'m, 'a> {
     mesh: &'m MeshView<'a>,
     topology: &'m Topology,
     mode: NonManifold,
-    /// Half-edges of free and of non-manifold edges, ascending.
+    /// The half-edges of free and of non-manifold edges, ascending.
     border: Vec<u32>,
-    /// Per entry of `border`: already part of a walk.
+    /// For each entry of `border`, true if it belongs to a walk.
     visited: Vec<bool>,
     /// The next entry of `border` to start from.
     next: usize,
-    /// Per vertex: passed by a walk, and its faces form more than one fan.
+    /// For each vertex, true if a walk passed it and its faces form more than one fan.
     bow_tie: Vec<bool>,
 }
 
@@ -70,24 +70,24 @@ impl<'m, 'a> Walker<'m, 'a> {
         Ok(Walker { mesh, topology, mode, border, visited, next: 0, bow_tie })
     }
 
-    /// The part of the border already seen.
+    /// Returns the fraction of the border that has been visited.
     pub(super) fn fraction(&self) -> f64 {
         self.next as f64 / self.border.len().max(1) as f64
     }
 
-    /// True if the edge of `h` has three or more faces.
+    /// Returns true if the edge of `h` has three or more faces.
     pub(super) fn is_singular(&self, h: u32) -> bool {
         self.topology.opposite(h) == Opposite::Singular
     }
 
-    /// True if a walk has passed `v` and its faces form more than one fan.
+    /// Returns true if a walk passed `v` and its faces form more than one fan.
     pub(super) fn is_bow_tie(&self, v: u32) -> bool {
         self.bow_tie[v as usize]
     }
 
-    /// Writes the next walk to `walk` and tells whether it is closed; `None` when every free edge
-    /// has been visited. Walks start from free edges only: one that would consist of non-manifold
-    /// edges alone bounds no hole.
+    /// Writes the next walk to `walk`, and returns whether it is closed; `None` if every free edge
+    /// has been visited. Walks start only at free edges: a walk of non-manifold edges alone does
+    /// not bound a hole.
     pub(super) fn next_walk(&mut self, walk: &mut Vec<Dart>, job: &Job<'_>) -> Result<Option<bool>> {
         walk.clear();
         let start = loop {
@@ -102,17 +102,17 @@ impl<'m, 'a> Walker<'m, 'a> {
         if self.follow(start, walk, job)? {
             return Ok(Some(true));
         }
-        // An open chain: go back from the start as well, and put the two parts together.
+        // An open chain: walk back from the start too, and join the two parts.
         let mut back = Vec::new();
-        self.follow(start.turned(), &mut back, job)?;
+        self.follow(start.reversed(), &mut back, job)?;
         alloc::reserve(walk, back.len())?;
         let ahead = walk.len();
-        walk.extend(back[1..].iter().map(|dart| dart.turned()).rev());
+        walk.extend(back[1..].iter().map(|dart| dart.reversed()).rev());
         walk.rotate_left(ahead);
         Ok(Some(false))
     }
 
-    /// Appends the walk from `start` on; true if it came back to it.
+    /// Appends the walk from `start`. Returns true if it came back to the start.
     fn follow(&mut self, start: Dart, walk: &mut Vec<Dart>, job: &Job<'_>) -> Result<bool> {
         let mut dart = start;
         loop {
@@ -129,13 +129,13 @@ impl<'m, 'a> Walker<'m, 'a> {
         }
     }
 
-    /// The border edge that follows `dart` round the fan of faces at its head; `None` if that is a
-    /// non-manifold edge at which walks stop.
+    /// Returns the border edge that follows `dart` around the fan at its head; `None` at a
+    /// non-manifold edge that ends walks.
     fn successor(&mut self, dart: Dart) -> Option<Dart> {
         let v = dart.head(self.mesh);
         let mut corners = 0;
-        // In each face, `arriving` tells whether half-edge h runs towards v; the other edge at v
-        // then comes after it, else before it.
+        // `arriving` tells whether half-edge h runs towards v. If so, the other edge at v follows
+        // h; otherwise it precedes h.
         let (mut h, mut arriving) = (dart.half_edge, dart.forward);
         loop {
             corners += 1;
@@ -154,7 +154,7 @@ impl<'m, 'a> Walker<'m, 'a> {
         }
     }
 
-    /// The bow-tie vertices that walks passed, ascending.
+    /// Returns the bow-tie vertices that walks passed, ascending.
     pub(super) fn bow_ties(&self) -> impl Iterator<Item = u32> + '_ {
         self.bow_tie.iter().enumerate().filter(|&(_, &is)| is).map(|(v, _)| v as u32)
     }

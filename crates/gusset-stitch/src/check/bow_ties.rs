@@ -1,4 +1,4 @@
-//! Bow-tie vertices: those whose faces form more than one fan. Linear.
+//! Bow-tie vertices: vertices whose faces form more than one fan. Linear time.
 
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -6,16 +6,16 @@ use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::job::Job;
 use gusset_mesh::{MeshView, Opposite, Topology};
 
-/// Half-edges between two progress reports.
+/// Number of half-edges between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 18;
 
-/// The vertices whose faces form more than one fan, ascending. Faces are neighbours in a fan if
-/// they share an edge that has two faces.
+/// Returns the vertices whose faces form more than one fan, ascending. Faces are neighbours in a
+/// fan if they share an edge with exactly two faces.
 pub(super) fn bow_ties(mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) -> Result<Vec<u32>> {
     let faces = mesh.faces();
     let count = faces.half_edge_count();
-    // A corner is named by the half-edge that leaves it. Corners are joined across every edge with
-    // two faces, at both ends.
+    // A corner is identified by the half-edge that leaves it. Corners are joined across every edge
+    // with two faces, at both ends.
     let mut corners = DisjointSets::new(count)?;
     let joining = job.part(0.0, 0.7);
     for h in 0..count as u32 {

@@ -1,6 +1,8 @@
-//! Result and entry point of the check. Components, edges and boundary come from the pairing of
-//! half-edges; Euler's formula V - E + F = 2 - 2g - b gives the genus of an orientable
-//! manifold. O(H log d) time for H half-edges and at most d at a vertex; linear memory.
+//! Result and entry point of the check.
+//!
+//! Components, edges and boundary come from the pairing of half-edges. Euler's formula V - E + F =
+//! 2 - 2g - b gives the genus of an orientable manifold. O(H log d) time for H half-edges and
+//! vertices of degree at most d; linear memory.
 
 use super::bow_ties::bow_ties;
 use super::twins::duplicate_faces;
@@ -14,83 +16,84 @@ use gusset_base::job::Job;
 use gusset_base::sort::sort;
 use gusset_mesh::{Defect, MeshView, Opposite, Topology, unordered};
 
-/// What [`check`] found. Lists are ascending.
+/// The result of [`check`]. Lists are ascending.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Check {
-    /// Vertices, unused ones too.
+    /// The number of vertices, including unused ones.
     pub vertices: u32,
-    /// Distinct edges: pairs of different vertices that are consecutive in some face that is not
-    /// degenerate. Degenerate faces have no edges.
+    /// The number of distinct edges: pairs of different vertices that are consecutive in a face.
+    /// Degenerate faces are ignored.
     pub edges: u32,
-    /// Faces.
+    /// The number of faces.
     pub faces: u32,
-    /// Pieces: faces that share an edge are in one.
+    /// The number of components. Faces that share an edge belong to one component.
     pub components: u32,
-    /// Walks round the boundary, fan by fan.
+    /// The number of walks around the boundary, fan by fan.
     pub boundary_walks: u32,
-    /// Used vertices - edges + faces, degenerate ones too: Euler's characteristic if there are none.
+    /// Used vertices - edges + faces, including degenerate faces. Without these it is the Euler
+    /// characteristic.
     pub euler: i64,
-    /// There are edges, and every one has exactly two faces; degenerate faces have none.
+    /// True if there are edges, and every edge has exactly two faces. Degenerate faces are ignored.
     pub closed: bool,
-    /// No non-manifold edge and no non-manifold vertex.
+    /// True without non-manifold edges and non-manifold vertices.
     pub manifold: bool,
-    /// No edge whose two faces run it in the same direction.
+    /// True if the two faces of every edge run it in opposite directions.
     pub oriented: bool,
-    /// Faces can be turned over so that it becomes oriented. Faces are compared across edges with
-    /// two faces.
+    /// True if the faces can be oriented consistently by turning some over. Faces are compared
+    /// across edges with two faces.
     pub orientable: bool,
-    /// The number of handles of all components together, if the mesh is manifold and orientable and
-    /// no face is degenerate.
+    /// The total number of handles of all components; `None` unless the mesh is manifold and
+    /// orientable without degenerate faces.
     pub genus: Option<u32>,
 
     /// The half-edges of the edges with exactly one face.
     pub boundary_edges: Vec<u32>,
     /// The first half-edge of each edge with three or more faces.
     pub non_manifold_edges: Vec<u32>,
-    /// The ends of those edges, and the bow-ties.
+    /// The ends of the non-manifold edges, and the bow-ties.
     pub non_manifold_vertices: Vec<u32>,
-    /// Vertices whose faces form more than one fan. Fans end at edges with three or more faces, whose
-    /// own ends are therefore among them, as a rule.
+    /// Vertices whose faces form more than one fan. Fans end at edges with three or more faces, so
+    /// the ends of these edges are usually included.
     pub bow_ties: Vec<u32>,
     /// The first half-edge of each edge whose two faces run it in the same direction.
     pub orientation_conflicts: Vec<u32>,
-    /// Faces with the same cycle of vertices, in either direction, as a face before them;
-    /// degenerate ones apart.
+    /// Faces with the same cycle of vertices, in either direction, as an earlier face; without
+    /// degenerate faces.
     pub duplicate_faces: Vec<u32>,
     /// Faces that repeat a vertex.
     pub degenerate_faces: Vec<u32>,
-    /// Faces without area that repeat none: their vector area is 0 up to rounding.
+    /// Other faces without area: their vector area is 0 up to rounding.
     pub zero_area_faces: Vec<u32>,
     /// Vertices that no face uses.
     pub unused_vertices: Vec<u32>,
 }
 
-/// Faces between two progress reports.
+/// Number of faces between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;
 
-/// Half-edges between two progress reports.
+/// Number of half-edges between two progress reports.
 const HALF_EDGES_PER_REPORT: usize = 1 << 20;
 
 /// Checks a mesh. O(H log d) for H half-edges and vertices of degree d; linear extra memory, about
-/// 40 bytes a half-edge.
+/// 40 bytes per half-edge.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
-/// [`Error::Cancelled`](gusset_base::Error::Cancelled). What it finds is no error.
+/// [`Error::Cancelled`](gusset_base::Error::Cancelled). Defects are not errors.
 pub fn check(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Check> {
     let topology = Topology::new(mesh, &job.part(0.0, 0.3))?;
     let mut found =
         Check { vertices: mesh.positions().len() as u32, faces: mesh.faces().len() as u32, ..Check::default() };
-    found.enter_defects(&topology)?;
+    found.add_defects(&topology)?;
     found.boundary_walks = boundary_loops(mesh, &boundary::Options::default(), &job.part(0.3, 0.7))?.walk_count();
     found.bow_ties = bow_ties(mesh, &topology, &job.part(0.7, 0.8))?;
-    found.enter_non_manifold_vertices(mesh, &job.part(0.8, 0.8))?;
+    found.add_non_manifold_vertices(mesh, &job.part(0.8, 0.8))?;
     found.duplicate_faces = duplicate_faces(mesh, &found.degenerate_faces, &job.part(0.8, 0.85))?;
-    found.enter_edges(mesh, &topology, &job.part(0.85, 0.85))?;
-    found.enter_pieces(mesh, &topology, &job.part(0.85, 0.9))?;
+    found.add_edges(mesh, &topology, &job.part(0.85, 0.85))?;
+    found.add_pieces(mesh, &topology, &job.part(0.85, 0.9))?;
     job.step(0.9, "checking areas")?;
-    found.enter_unused_vertices(mesh)?;
-    found.enter_zero_areas(mesh, &job.part(0.9, 1.0))?;
+    found.add_unused_vertices(mesh)?;
+    found.add_zero_areas(mesh, &job.part(0.9, 1.0))?;
 
     found.manifold = found.non_manifold_edges.is_empty() && found.non_manifold_vertices.is_empty();
     found.oriented = found.orientation_conflicts.is_empty();
@@ -107,7 +110,7 @@ pub fn check(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Check> {
 }
 
 impl Check {
-    fn enter_defects(&mut self, topology: &Topology) -> Result<()> {
+    fn add_defects(&mut self, topology: &Topology) -> Result<()> {
         for defect in topology.defects() {
             match *defect {
                 Defect::DegenerateFace { face, .. } => alloc::push(&mut self.degenerate_faces, face)?,
@@ -121,7 +124,7 @@ impl Check {
         Ok(())
     }
 
-    fn enter_non_manifold_vertices(&mut self, mesh: &MeshView<'_>, job: &Job<'_>) -> Result<()> {
+    fn add_non_manifold_vertices(&mut self, mesh: &MeshView<'_>, job: &Job<'_>) -> Result<()> {
         let ends = self.non_manifold_edges.iter().flat_map(|&h| [h, mesh.faces().next(h)]);
         let vertices = self.bow_ties.iter().copied().chain(ends.map(|h| mesh.faces().corner(h)));
         self.non_manifold_vertices = alloc::gather(vertices)?;
@@ -130,8 +133,8 @@ impl Check {
         Ok(())
     }
 
-    /// Counts edges by what lies across their half-edges, and lists free ones.
-    fn enter_edges(&mut self, mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) -> Result<()> {
+    /// Counts the edges by the kind of their half-edges, and lists the boundary edges.
+    fn add_edges(&mut self, mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) -> Result<()> {
         let (mut halves, count) = (0, mesh.faces().half_edge_count());
         for h in 0..count as u32 {
             job.step_every(HALF_EDGES_PER_REPORT, h as usize, count, "checking faces")?;
@@ -148,8 +151,8 @@ impl Check {
         Ok(())
     }
 
-    /// Counts the pieces, and finds out whether each can be oriented.
-    fn enter_pieces(&mut self, mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) -> Result<()> {
+    /// Counts the components, and determines whether all are orientable.
+    fn add_pieces(&mut self, mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) -> Result<()> {
         let faces = mesh.faces();
         let mut pieces = DisjointSets::new(faces.len())?;
         let mut orientations = ParitySets::new(faces.len())?;
@@ -185,7 +188,7 @@ impl Check {
         Ok(())
     }
 
-    fn enter_unused_vertices(&mut self, mesh: &MeshView<'_>) -> Result<()> {
+    fn add_unused_vertices(&mut self, mesh: &MeshView<'_>) -> Result<()> {
         let mut used = alloc::filled(false, mesh.positions().len())?;
         for v in mesh.faces().corners(0..mesh.faces().half_edge_count()) {
             used[v as usize] = true;
@@ -194,9 +197,9 @@ impl Check {
         Ok(())
     }
 
-    /// Lists faces whose vector area, sum of (p_k - p_0) x (p_(k+1) - p_0) / 2, is 0 up to the
+    /// Lists the faces whose vector area, sum of (p_k - p_0) x (p_(k+1) - p_0) / 2, is 0 up to the
     /// rounding of its terms.
-    fn enter_zero_areas(&mut self, mesh: &MeshView<'_>, job: &Job<'_>) -> Result<()> {
+    fn add_zero_areas(&mut self, mesh: &MeshView<'_>, job: &Job<'_>) -> Result<()> {
         let mut points: Vec<DVec3> = Vec::new();
         for f in 0..mesh.faces().len() {
             job.step_every(REPORT_INTERVAL, f, mesh.faces().len(), "checking areas")?;

@@ -1,7 +1,7 @@
-//! Duplicate faces: those with the same cycle of vertices, in either direction.
+//! Duplicate faces: faces with the same cycle of vertices, in either direction.
 //!
-//! Each cycle is rotated to start at its smallest vertex and to run towards the smaller
-//! neighbour; equal cycles are then adjacent after a sort. O(F log F) comparisons of cycles.
+//! Each cycle is rotated to start at its smallest vertex and to run towards the smaller neighbour.
+//! Equal cycles are then adjacent after sorting. O(F log F) comparisons of cycles.
 
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -9,16 +9,16 @@ use gusset_base::job::Job;
 use gusset_base::sort::sort;
 use gusset_mesh::MeshView;
 
-/// The faces with the same cycle of vertices, from whatever corner and in whatever direction, as a
-/// face with a smaller number; ascending. Faces that repeat a vertex, given in `degenerate`, are
-/// left out. O(F log F) comparisons, nearly all of which end at the first vertex.
+/// Returns the faces with the same cycle of vertices as a face with a smaller index, from any
+/// corner and in either direction; ascending. Skips the faces in `degenerate`, which repeat a
+/// vertex. O(F log F) comparisons, most of which end at the first vertex.
 pub(super) fn duplicate_faces(mesh: &MeshView<'_>, degenerate: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
     job.step(0.0, "checking faces")?;
-    // Faces in the order of their cycles; of equal ones the smaller number first.
+    // Sort the faces by their cycles, and equal ones by index.
     let mut order = alloc::collect((0..mesh.faces().len()).map(|f| f as u32))?;
     order.retain(|f| degenerate.binary_search(f).is_err());
     let mut starts = alloc::with_capacity(mesh.faces().len())?;
-    starts.extend((0..mesh.faces().len()).map(|f| Start::of(mesh, f)));
+    starts.extend((0..mesh.faces().len()).map(|f| CycleStart::smallest(mesh, f)));
     let compare = |&f: &u32, &g: &u32| {
         let (f, g) = (f as usize, g as usize);
         starts[f].cycle(mesh, f).cmp(starts[g].cycle(mesh, g))
@@ -30,18 +30,18 @@ pub(super) fn duplicate_faces(mesh: &MeshView<'_>, degenerate: &[u32], job: &Job
     Ok(found)
 }
 
-/// Where and in which direction a face's cycle is the smallest list of vertices.
+/// The corner and the direction in which a face's cycle is lexicographically smallest.
 #[derive(Clone, Copy)]
-struct Start {
+struct CycleStart {
     corner: u32,
     backwards: bool,
 }
 
-impl Start {
-    fn of(mesh: &MeshView<'_>, f: usize) -> Start {
+impl CycleStart {
+    fn smallest(mesh: &MeshView<'_>, f: usize) -> CycleStart {
         let smallest = mesh.face(f).enumerate().min_by_key(|&(_, v)| v);
         let corner = smallest.map_or(0, |(i, _)| i as u32);
-        let [forwards, backwards] = [false, true].map(|backwards| Start { corner, backwards });
+        let [forwards, backwards] = [false, true].map(|backwards| CycleStart { corner, backwards });
         if backwards.cycle(mesh, f).lt(forwards.cycle(mesh, f)) { backwards } else { forwards }
     }
 

@@ -11,11 +11,11 @@ use gusset_base::job::Job;
 use gusset_base::sort::sort;
 use gusset_mesh::{NONE, unordered};
 
-/// The least height of a triangle in its longest side, and the least size in the mean edge: the
-/// gradients of a flatter or smaller one would be rounding.
+/// Smallest height of a triangle relative to its longest side, and smallest size relative to the
+/// mean edge. The gradients of a smaller triangle would be round-off.
 const MIN_HEIGHT: f64 = 1e-7;
 
-/// The shape of a triangle, in a frame of its own.
+/// The shape of a triangle in its own frame.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Shape {
     /// The gradients of the three barycentric coordinates: J = sum of x_i g_i^T is the derivative
@@ -24,23 +24,23 @@ pub(super) struct Shape {
     pub(super) area: f64,
 }
 
-/// A chart.
+/// A triangulated chart.
 pub(super) struct ChartMesh {
-    /// Of each vertex its place on the surface, in the unit.
+    /// The position of each vertex on the surface, in the unit.
     pub(super) points: Vec<DVec3>,
-    /// Their corners among the vertices of the chart.
+    /// The corners of the triangles as vertices of the chart.
     pub(super) triangles: Vec<[u32; 3]>,
-    /// Of each triangle the number of its face in the chart.
+    /// For each triangle, the number of its face in the chart.
     pub(super) faces: Vec<u32>,
     pub(super) shapes: Vec<Shape>,
-    /// Of each triangle those across its sides, or [`NONE`].
+    /// For each triangle, the triangles across its sides, or [`NONE`].
     pub(super) across: Vec<[u32; 3]>,
     /// The edges of the border, each in the direction of its face.
     pub(super) border: Vec<[u32; 2]>,
 }
 
 impl ChartMesh {
-    /// `unit`: what positions are divided by. Polygons are cut into triangles. O(H log H).
+    /// Triangulates a chart. `unit` is the divisor of the positions. O(H log H).
     pub(super) fn new(
         surface: &CutSurface<'_, '_>,
         split: &Split,
@@ -82,7 +82,7 @@ impl ChartMesh {
         let at = |t: &[u32; 3]| t.map(|v| points[v as usize]);
         let perimeter = |[a, b, c]: [DVec3; 3]| a.distance(b) + b.distance(c) + c.distance(a);
         let mean = triangles.iter().map(|t| perimeter(at(t))).sum::<f64>() / (3 * triangles.len()) as f64;
-        // A chart that is a point has no mean edge; in the unit the surface is about 1.
+        // A chart that is a point has mean edge 0; in the unit, the surface's size is about 1.
         let least = MIN_HEIGHT * mean.max(MIN_HEIGHT);
         let shapes = triangles.iter().map(|t| shape(at(t), least));
         let shapes = alloc::collect_cancellable(shapes, &job.part(1.0, 1.0), STAGE)?;
@@ -96,7 +96,7 @@ impl ChartMesh {
         Ok(ChartMesh { points, triangles, faces, shapes, across, border })
     }
 
-    /// The distance of two vertices on the surface.
+    /// Returns the distance of two vertices on the surface.
     pub(super) fn length(&self, u: u32, v: u32) -> f64 {
         self.points[u as usize].distance(self.points[v as usize])
     }
@@ -105,21 +105,21 @@ impl ChartMesh {
         self.shapes.iter().map(|shape| shape.area).sum()
     }
 
-    /// The signed area of a triangle in the plane, doubled.
+    /// Returns twice the signed area of a triangle in the plane.
     pub(super) fn double_area(&self, t: usize, x: &[DVec2]) -> f64 {
         let [a, b, c] = self.triangles[t].map(|v| x[v as usize]);
         (b - a).perp_dot(c - a)
     }
 
-    /// The number of triangles that are turned over or flat in the plane.
+    /// Returns the number of triangles that are turned over or flat in the plane.
     pub(super) fn folds(&self, x: &[DVec2]) -> u32 {
         let stands = |t: usize| self.double_area(t, x) > 0.0;
         (0..self.triangles.len()).filter(|&t| !stands(t)).count() as u32
     }
 }
 
-/// Puts the triangles of a polygon into `triangles`, by the numbers of its corners. A quad is cut
-/// along its shorter diagonal, or the other one if that leaves the quad.
+/// Triangulates a polygon, as indices of its corners. A quad is split by its shorter diagonal, or
+/// by the other one if the shorter leaves the quad.
 fn triangulate(corners: &[u32], points: &[DVec3], triangles: &mut Vec<[u32; 3]>, job: &Job<'_>) -> Result<()> {
     let at = |k: usize| points[corners[k] as usize];
     triangles.clear();
@@ -147,8 +147,8 @@ fn triangulate(corners: &[u32], points: &[DVec3], triangles: &mut Vec<[u32; 3]>,
     }
 }
 
-/// The shape of a triangle. Its base and its height are at least `least`, and at least [`MIN_HEIGHT`]
-/// of its longest side.
+/// Returns the shape of a triangle. Limits its base and height to at least `least`, and to at least
+/// [`MIN_HEIGHT`] of its longest side.
 fn shape([a, b, c]: [DVec3; 3], least: f64) -> Shape {
     let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
     let least = least.max(MIN_HEIGHT * longest);
@@ -158,16 +158,16 @@ fn shape([a, b, c]: [DVec3; 3], least: f64) -> Shape {
     let height = ((c - a) - x * along).length().max(least);
     let corners = [DVec2::ZERO, DVec2::new(base, 0.0), DVec2::new(x, height)];
     let area = base * height / 2.0;
-    // The opposite side, turned inwards by a right angle, over twice the area.
+    // The opposite side, rotated inwards by a right angle, over twice the area.
     let gradient = |k: usize| (corners[(k + 2) % 3] - corners[(k + 1) % 3]).perp() / (2.0 * area);
     Shape { gradients: [0, 1, 2].map(gradient), area }
 }
 
-/// A side of a triangle: the number of what it is on, a half-edge of the surface or a diagonal, and
-/// its place among all sides.
+/// A side of a triangle: the identity of its edge, a half-edge of the surface or a diagonal, and
+/// its index among all sides.
 type Side = ((u32, u64), u32);
 
-/// Of each triangle those across its sides, or [`NONE`].
+/// Returns for each triangle the triangles across its sides, or [`NONE`].
 fn neighbours(mut sides: Vec<Side>, job: &Job<'_>) -> Result<Vec<[u32; 3]>> {
     let mut across = alloc::filled([NONE; 3], sides.len() / 3)?;
     sort(&mut sides, Ord::cmp, job, STAGE)?;

@@ -1,4 +1,4 @@
-//! The linear equations of one chart: a sum of quadratic terms, one for each triangle, in the two
+//! The linear system of one chart: a sum of quadratic terms, one for each triangle, in the two
 //! coordinates of each vertex.
 
 use super::STAGE;
@@ -10,22 +10,22 @@ use gusset_base::job::Job;
 use gusset_base::sort::Buckets;
 use gusset_base::sparse::{Coupling, Symmetric, dissect};
 
-/// Vertices between two progress reports.
+/// Number of vertices between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;
 
-/// A symmetric matrix of 2 x 2 blocks, one for each vertex and each edge, and a right-hand side.
+/// A symmetric matrix of 2 x 2 blocks for vertices and edges, and a right-hand side.
 pub(super) struct System {
-    /// Of each vertex its place in the order of elimination.
+    /// The place of each vertex in the order of elimination.
     place: Vec<u32>,
-    /// Of each place the earlier places that its vertex has an edge to.
+    /// For each place, the earlier places whose vertices are neighbours of its vertex.
     earlier: Buckets<u32>,
     matrix: Symmetric,
     right: Vec<DVec3>,
-    /// Vertices that stay where they are.
+    /// True for vertices with a fixed position.
     is_fixed: Vec<bool>,
 }
 
-/// Vertices are coupled with their neighbours.
+/// Couples each vertex with its neighbours.
 struct Edges<'a>(&'a Buckets<u32>);
 
 impl Coupling for Edges<'_> {
@@ -43,10 +43,10 @@ impl Coupling for Edges<'_> {
 }
 
 impl System {
-    /// O(n log n) for n vertices; some 120 bytes a vertex.
+    /// Builds the structure of the system. O(n log n) for n vertices; about 120 bytes per vertex.
     pub(super) fn new(chart: &ChartMesh, job: &Job<'_>) -> Result<System> {
         let n = chart.points.len();
-        // Each side both ways.
+        // Each side occurs in both directions.
         let sides = (0..6 * chart.triangles.len()).map(|k| {
             let (triangle, i) = (chart.triangles[k / 6], k % 6 / 2);
             let [u, v] = [triangle[i], triangle[(i + 1) % 3]];
@@ -71,7 +71,8 @@ impl System {
         pairs.dedup();
         let earlier = Buckets::new_cancellable(n, 0u32, pairs.iter().copied(), &job.part(0.8, 0.8), STAGE)?;
         job.step(0.8, STAGE)?;
-        // Column 2 k has the rows of both coordinates of the earlier places; 2 k + 1 one more.
+        // Column 2 k has the rows of both coordinates of the earlier places; column 2 k + 1 has one
+        // row more.
         let (mut start, mut entries) = (alloc::with_capacity(2 * n + 1)?, alloc::with_capacity(4 * pairs.len() + n)?);
         start.push(0);
         for k in 0..n {
@@ -100,13 +101,13 @@ impl System {
         job.step(1.0, STAGE)
     }
 
-    /// Keeps a vertex where it is; before anything is added.
+    /// Fixes the position of a vertex. Must precede all additions.
     pub(super) fn fix(&mut self, v: u32) {
         self.is_fixed[v as usize] = true;
     }
 
-    /// Adds a block to the matrix, at `u` and `v`, and its transpose at `v` and `u`. `x` has the
-    /// places of fixed vertices.
+    /// Adds a block to the matrix at (`u`, `v`), and its transpose at (`v`, `u`). `x` has the
+    /// positions of fixed vertices.
     pub(super) fn add(&mut self, u: u32, v: u32, block: DMat2, x: &[DVec2]) {
         match [u, v].map(|v| self.is_fixed[v as usize]) {
             [true, true] => return,
@@ -134,7 +135,7 @@ impl System {
         let k = 2 * self.place[v as usize] as usize;
         self.matrix.diagonal[k] += block.x_axis.x;
         self.matrix.diagonal[k + 1] += block.y_axis.y;
-        // The last of its column.
+        // The last entry of its column.
         let end = self.matrix.start[k + 2];
         self.matrix.entries[end - 1].1 += block.y_axis.x;
     }
@@ -147,7 +148,7 @@ impl System {
         }
     }
 
-    /// The solution; fixed vertices and those that the equations do not determine keep their `x`.
+    /// Returns the solution. Fixed and undetermined vertices keep their `x`.
     pub(super) fn solve(&mut self, x: &[DVec2], job: &Job<'_>) -> Result<Vec<DVec2>> {
         let factor = self.matrix.factor(&job.part(0.0, 0.8))?;
         factor.solve(&mut self.right, &job.part(0.8, 1.0))?;

@@ -1,4 +1,4 @@
-//! Charts: the connected components of a surface that was cut.
+//! Charts: the connected components of a cut surface.
 
 use super::STAGE;
 use super::cut_edges::CutSurface;
@@ -12,34 +12,34 @@ use std::ops::Range;
 
 /// A surface with its vertices split along cuts.
 pub(super) struct Split {
-    /// Of each corner the vertex of the result, numbered chart after chart.
+    /// For each corner, the vertex of the result, numbered chart by chart.
     pub(super) corners: Vec<u32>,
-    /// Of each vertex, that of the surface.
+    /// For each vertex, the vertex of the surface.
     pub(super) vertex_map: Vec<u32>,
-    /// Of each face its chart.
+    /// For each face, its chart.
     pub(super) face_charts: Vec<u32>,
-    /// Of each chart its faces.
+    /// The faces of each chart.
     pub(super) faces: Buckets<u32>,
-    /// Of each chart its vertices.
+    /// The vertices of each chart.
     pub(super) vertices: Vec<Range<u32>>,
-    /// Of each chart Euler's number; 1 of a disc.
+    /// The Euler characteristic of each chart; 1 for a disc.
     pub(super) euler: Vec<i64>,
-    /// Of each chart the number of edges of its border.
+    /// The number of border edges of each chart.
     pub(super) border: Vec<u32>,
 }
 
 impl Split {
-    /// True of a chart that can be laid out: a disc with a border of three edges at least.
+    /// Returns true if a chart can be laid out: a disc with at least three border edges.
     pub(super) fn is_disc(&self, chart: usize) -> bool {
         self.euler[chart] == 1 && self.border[chart] >= 3
     }
 
-    /// O(H).
+    /// Splits a surface along its cuts. O(H).
     pub(super) fn new(surface: &CutSurface<'_, '_>, job: &Job<'_>) -> Result<Split> {
         let job = &job.part(0.0, 0.0);
         let faces = surface.mesh.faces();
         let (count, corner_count) = (faces.len(), faces.half_edge_count());
-        // Corners are one vertex where their faces meet along an edge that is not cut.
+        // Corners share a vertex if their faces meet along an edge that is not cut.
         let mut same = DisjointSets::new(corner_count)?;
         let mut joined = DisjointSets::new(count)?;
         for h in 0..corner_count as u32 {
@@ -80,7 +80,7 @@ impl Split {
                         *name = vertex_map.len() as u32;
                         alloc::push(&mut vertex_map, faces.corner(h as u32))?;
                     }
-                    // Of an edge of two faces the half-edge of the smaller number.
+                    // Count an edge with two faces at its smaller half-edge.
                     let mate = surface.across(h as u32);
                     sum -= i64::from(mate == NONE || (h as u32) < mate);
                     free += u32::from(mate == NONE);

@@ -1,4 +1,4 @@
-//! Edges along which a surface is cut, and the shortest paths along edges.
+//! Cut edges of a surface, and shortest paths along edges.
 
 use super::STAGE;
 use super::develop_request::{CutKind, Cuts};
@@ -12,21 +12,21 @@ use gusset_mesh::{Defect, MeshView, NONE, Opposite, Topology, half_edges};
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
-/// The half-edges of a surface, and those along which it is cut.
+/// The half-edges of a surface, and the cuts.
 pub(super) struct CutSurface<'m, 'a> {
     pub(super) mesh: &'m MeshView<'a>,
-    /// Of each half-edge its mate; [`NONE`] at borders, at edges of three or more faces, and where
-    /// the faces of an edge disagree in orientation.
+    /// The mate of each half-edge; [`NONE`] at borders, at edges with three or more faces, and at
+    /// edges whose faces have inconsistent orientations.
     mates: Vec<u32>,
     is_cut: BitSet,
     pub(super) cut_edges: Vec<([u32; 2], CutKind)>,
 }
 
 impl<'m, 'a> CutSurface<'m, 'a> {
-    /// Nothing is cut yet. O(H log d).
+    /// Creates a surface without cuts. O(H log d).
     pub(super) fn new(mesh: &'m MeshView<'a>, job: &Job<'_>) -> Result<Self> {
         let topology = Topology::new(mesh, &job.part(0.0, 0.8))?;
-        // Degenerate faces come first.
+        // Degenerate faces come first in the list.
         if let Some(&Defect::DegenerateFace { face, vertex }) = topology.defects().first() {
             return Err(Error::RepeatedCorner { face, vertex });
         }
@@ -45,7 +45,7 @@ impl<'m, 'a> CutSurface<'m, 'a> {
         Ok(CutSurface { mesh, mates, is_cut: BitSet::new(count)?, cut_edges: Vec::new() })
     }
 
-    /// The half-edge across an edge that is not cut; [`NONE`] otherwise.
+    /// Returns the half-edge across an edge that is not cut, or [`NONE`].
     pub(super) fn across(&self, h: u32) -> u32 {
         if self.is_cut.contains(h) { NONE } else { self.mates[h as usize] }
     }
@@ -54,7 +54,7 @@ impl<'m, 'a> CutSurface<'m, 'a> {
         [h, self.mesh.faces().next(h)].map(|h| self.mesh.faces().corner(h))
     }
 
-    /// Cuts along an edge, if that separates two faces.
+    /// Cuts along an edge if it separates two faces.
     pub(super) fn cut(&mut self, h: u32, kind: CutKind) -> Result<()> {
         let mate = self.across(h);
         if mate != NONE {
@@ -66,8 +66,8 @@ impl<'m, 'a> CutSurface<'m, 'a> {
         Ok(())
     }
 
-    /// Takes the last cuts back: those of the half-edges of `path`.
-    pub(super) fn close(&mut self, path: &[u32]) {
+    /// Undoes the last cuts, along the half-edges of `path`.
+    pub(super) fn undo_cuts(&mut self, path: &[u32]) {
         for &h in path {
             self.is_cut.toggle(h);
             self.is_cut.toggle(self.mates[h as usize]);
@@ -75,8 +75,8 @@ impl<'m, 'a> CutSurface<'m, 'a> {
         self.cut_edges.truncate(self.cut_edges.len() - path.len());
     }
 
-    /// Cuts along the paths that are given.
-    pub(super) fn cut_along(&mut self, cuts: &Cuts<'_>, job: &Job<'_>) -> Result<()> {
+    /// Cuts along the given paths.
+    pub(super) fn cut_paths(&mut self, cuts: &Cuts<'_>, job: &Job<'_>) -> Result<()> {
         if cuts.vertices.is_empty() {
             return Ok(());
         }
@@ -85,7 +85,7 @@ impl<'m, 'a> CutSurface<'m, 'a> {
         Error::check_offsets(offsets, cuts.vertices.len())?;
         let count = self.mesh.positions().len();
         let graph = Graph::new(self, count, |h| self.mesh.faces().corner(h), job)?;
-        let mut search = Search::new(count)?;
+        let mut search = PathSearch::new(count)?;
         for (number, ends) in (0..).zip(offsets.windows(2)) {
             let mut path = alloc::copied(&cuts.vertices[ends[0] as usize..ends[1] as usize])?;
             for (place, vertex) in (0..).zip(&mut path) {
@@ -109,14 +109,14 @@ impl<'m, 'a> CutSurface<'m, 'a> {
     }
 }
 
-/// Edges by their ends, which may be vertices of the surface or of its charts.
+/// A graph of edges between vertices of the surface or of its charts.
 pub(super) struct Graph {
-    /// Of each vertex: the edge's other end, a half-edge of it, and its length.
+    /// For each vertex, the other end of each edge, a half-edge of it, and its length.
     edges: Buckets<(u32, u32, f64)>,
 }
 
 impl Graph {
-    /// `name`: the vertex at the corner where a half-edge starts. O(H).
+    /// Creates the graph. `name` returns the vertex at the corner where a half-edge starts. O(H).
     pub(super) fn new(
         surface: &CutSurface<'_, '_>,
         count: usize,
@@ -128,7 +128,8 @@ impl Graph {
             let [u, v] = surface.ends(h).map(|v| mesh.positions().get(v));
             (name(h), name(mesh.faces().next(h)), distance(u, v))
         };
-        // Of an edge with two faces each gives one direction, of others the one face gives both.
+        // An edge with two faces gets one direction from each; any other edge gets both from its
+        // face.
         let all = (0..2 * mesh.faces().half_edge_count()).filter_map(|k| {
             let h = (k / 2) as u32;
             let (u, v, length) = edge(h);
@@ -139,13 +140,13 @@ impl Graph {
         Ok(Graph { edges: Buckets::new_cancellable(count, (0, 0, 0.0), all, job, STAGE)? })
     }
 
-    /// The neighbours of a vertex, each with a half-edge between.
-    pub(super) fn around(&self, v: u32) -> &[(u32, u32, f64)] {
+    /// Returns the neighbours of a vertex, each with a half-edge between.
+    pub(super) fn neighbours(&self, v: u32) -> &[(u32, u32, f64)] {
         self.edges.get(v as usize)
     }
 }
 
-/// A vertex that is reached, the nearest first; of equally near ones the smallest.
+/// A reached vertex. Orders by distance, then by index.
 #[derive(PartialEq)]
 struct Reached(f64, u32);
 
@@ -164,25 +165,25 @@ impl PartialOrd for Reached {
 }
 
 /// Shortest paths from a set of vertices (E. Dijkstra, 1959).
-pub(super) struct Search {
-    /// Infinite where nothing was reached.
+pub(super) struct PathSearch {
+    /// The distance of each vertex; infinity if it was not reached.
     pub(super) distances: Vec<f64>,
-    /// The vertex before, and the half-edge from it.
+    /// The preceding vertex, and the half-edge from it.
     before: Vec<(u32, u32)>,
     touched: Vec<u32>,
 }
 
-impl Search {
-    pub(super) fn new(count: usize) -> Result<Search> {
-        Ok(Search {
+impl PathSearch {
+    pub(super) fn new(count: usize) -> Result<PathSearch> {
+        Ok(PathSearch {
             distances: alloc::filled(f64::INFINITY, count)?,
             before: alloc::filled((NONE, NONE), count)?,
             touched: Vec::new(),
         })
     }
 
-    /// Goes from `sources` to the nearest vertex that `is_target`, which is returned. O(E log V) for
-    /// what is nearer.
+    /// Searches from `sources` to the nearest vertex that satisfies `is_target`, and returns it.
+    /// O(E log V) for the nearer part of the graph.
     pub(super) fn shortest(
         &mut self,
         graph: &Graph,
@@ -209,7 +210,7 @@ impl Search {
             }
             job.step_within_heavy(16, steps, STAGE)?;
             steps += 1;
-            for &(w, h, length) in graph.around(v) {
+            for &(w, h, length) in graph.neighbours(v) {
                 let sum = distance + length;
                 if sum < self.distances[w as usize] {
                     self.reach(w, sum, (v, h))?;
@@ -229,7 +230,7 @@ impl Search {
         Ok(())
     }
 
-    /// The half-edges of the path to a vertex that was reached, from its end to its source.
+    /// Returns the half-edges of the path to a reached vertex, from its end to its source.
     pub(super) fn path(&self, mut v: u32) -> Result<Vec<u32>> {
         let mut path = Vec::new();
         while self.before[v as usize].0 != NONE {
@@ -240,8 +241,8 @@ impl Search {
         Ok(path)
     }
 
-    /// True if the path to `v` ends with half-edge `h`, whichever way.
-    pub(super) fn comes_by(&self, v: u32, h: u32) -> bool {
+    /// Returns true if the path to `v` ends with half-edge `h`, in either direction.
+    pub(super) fn arrives_by(&self, v: u32, h: u32) -> bool {
         self.before[v as usize].1 == h
     }
 }

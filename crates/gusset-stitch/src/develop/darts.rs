@@ -1,9 +1,9 @@
-//! Where a dart reduces distortion most.
+//! The best place for a dart.
 //!
-//! A conformal map scales lengths by exp(u), where the Laplacian of u is the Gaussian curvature and
-//! u is 0 at the border. Where u is greatest, of either sign, the map is worst, and a dart from
-//! there to the border lets the curvature go (M. Ben-Chen, C. Gotsman, G. Bunin, *Conformal
-//! flattening by curvature prescription and metric scaling*, 2008, who place cones so).
+//! A conformal map scales lengths by exp(u). The Laplacian of u is the Gaussian curvature, and u is
+//! 0 at the border. The map is worst where |u| is greatest, and a dart from there to the border
+//! releases the curvature (M. Ben-Chen, C. Gotsman, G. Bunin, *Conformal flattening by curvature
+//! prescription and metric scaling*, 2008, place cones in this way).
 
 use super::chart::ChartMesh;
 use super::chart_system::System;
@@ -15,8 +15,8 @@ use gusset_base::geom::bit_set::BitSet;
 use gusset_base::job::Job;
 use std::f64::consts::TAU;
 
-/// The vertex inside the chart where a dart should end; `None` if no vertex is inside, or nothing
-/// is curved.
+/// Returns the vertex inside the chart at which a dart should end; `None` if the chart lacks inner
+/// vertices or curvature.
 pub(super) fn tip(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -> Result<Option<u32>> {
     let n = chart.points.len();
     let mut on_border = BitSet::new(n)?;

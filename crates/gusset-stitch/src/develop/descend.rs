@@ -1,9 +1,10 @@
-//! Descent to the least distortion, without folding a triangle.
+//! Descent to the least distortion without folding a triangle.
 //!
-//! In each step the energy is replaced by the quadratic one that has its gradient (Rabinovich et
-//! al., section 3). Its minimum gives a direction; the step along it folds no triangle, and is
-//! halved until the energy falls. If the border meets itself at the end, the descent goes on from
-//! the last map of which it did not, and halves the steps at which it would.
+//! Each step replaces the energy by a quadratic proxy with an equal gradient (Rabinovich et al.,
+//! section 3). The proxy's minimum gives a direction. The step along it is limited to avoid folds,
+//! and is halved until the energy decreases. If the border of the final map intersects itself, the
+//! descent restarts from the last map without self-intersections, and then also halves the steps
+//! that would cause them.
 
 use super::chart::ChartMesh;
 use super::chart_system::System;
@@ -16,28 +17,30 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
-/// Of the way to the first fold so much is gone at the most.
-const MAX_PART_TO_FOLD: f64 = 0.8;
-/// The energy falls by at least this part of what its gradient says (Armijo's rule).
+/// Largest fraction of the distance to the first fold that a step may take.
+const MAX_FOLD_FRACTION: f64 = 0.8;
+/// Smallest decrease of the energy relative to the prediction by its gradient (Armijo's rule).
 const MIN_DESCENT: f64 = 1e-4;
 const MAX_HALVINGS: u32 = 40;
-/// The descent ends once the energy falls by less than this part of it.
+/// The descent ends if the relative decrease of the energy is at most this.
 const MIN_RELATIVE_GAIN: f64 = 1e-9;
-/// That is a minimum if the gradient promises no more than this part of the energy.
+/// The end is a minimum if the gradient predicts a relative decrease of at most this.
 const MAX_RELATIVE_SLOPE: f64 = 1e-6;
-/// A weight that holds vertices, in means of the diagonal: the plane has no place of its own.
-const HOLD: f64 = 1e-9;
+/// Weight that holds vertices in place, relative to the mean diagonal entry: the energy is
+/// invariant under translation.
+const HOLD_WEIGHT: f64 = 1e-9;
 
-/// How a descent ended.
+/// The reason why a descent ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum End {
-    /// Nothing more was gained.
+    /// The energy no longer decreased.
     Converged,
-    /// No step was possible that gains: the border would meet itself, or rounding hides it.
+    /// No step was possible that decreases the energy: the border would intersect itself, or
+    /// round-off hides the decrease.
     Stalled,
-    /// The number of steps.
+    /// The limit on steps was reached.
     IterationLimit,
-    /// There was no map without folds to begin with.
+    /// The search found no map without folds to start from.
     Folded,
 }
 
@@ -48,16 +51,17 @@ pub(super) struct Descent {
     pub(super) end: End,
 }
 
-/// What a descent does at the border.
+/// The treatment of the border in a descent.
 pub(super) enum Border<'a> {
-    /// It may meet itself. The last map on the way of which it did not is entered.
+    /// The border may intersect itself. The last map on the way without self-intersections is
+    /// stored.
     Free(&'a mut Option<Vec<DVec2>>),
-    /// It does not meet itself, as it does not at first.
+    /// The border must not intersect itself. The first map must satisfy this.
     Apart,
 }
 
-/// From a map without folds to one of less distortion without folds. Each step costs a factor,
-/// O(n^1.5) for n vertices.
+/// Descends from a map without folds to one with less distortion, without folds. Each step
+/// factorises a matrix, O(n^1.5) for n vertices.
 pub(super) fn descend(
     chart: &ChartMesh,
     system: &mut System,
@@ -81,7 +85,7 @@ pub(super) fn descend(
         let late = job.part(0.9, 0.9);
         let way = alloc::collect(target.iter().zip(&x).map(|(&to, &from)| to - from))?;
         let slope: f64 = gradient.iter().zip(&way).map(|(g, d)| g.dot(*d)).sum();
-        let mut step = f64::min(1.0, MAX_PART_TO_FOLD * first_fold(chart, &x, &way, &late)?);
+        let mut step = f64::min(1.0, MAX_FOLD_FRACTION * first_fold(chart, &x, &way, &late)?);
         let mut found = None;
         for _ in 0..MAX_HALVINGS {
             let moved = alloc::collect(x.iter().zip(&way).map(|(&p, &d)| p + step * d))?;
@@ -105,7 +109,7 @@ pub(super) fn descend(
     Ok(Descent { x, iterations: max_iterations, end: End::IterationLimit })
 }
 
-/// The mean over the area.
+/// Returns the mean energy over the area.
 pub(super) fn mean_energy(chart: &ChartMesh, distortion: Distortion, x: &[DVec2], job: &Job<'_>) -> Result<f64> {
     let mut sum = 0.0;
     for (k, (triangle, shape)) in chart.triangles.iter().zip(&chart.shapes).enumerate() {
@@ -116,8 +120,7 @@ pub(super) fn mean_energy(chart: &ChartMesh, distortion: Distortion, x: &[DVec2]
     Ok(sum / chart.area())
 }
 
-/// The equations of the quadratic energy that has the gradient of the energy at `x`, which is
-/// returned, of the mean over the area.
+/// Builds the system of the quadratic proxy at `x`, and returns the gradient of the mean energy.
 fn assemble(
     chart: &ChartMesh,
     system: &mut System,
@@ -133,9 +136,9 @@ fn assemble(
         job.step_every(TRIANGLES_PER_REPORT, k, chart.triangles.len(), STAGE)?;
         let map = Jacobian::new(&shape.gradients, triangle.map(|v| x[v as usize]));
         let share = shape.area / whole;
-        let matrix = share * map.of_stretches(weights(distortion, map.stretch));
+        let matrix = share * map.with_stretches(weights(distortion, map.stretch));
         // J - R is U diag(s - 1) U^T R.
-        let off = matrix * map.of_stretches(map.stretch.map(|s| s - 1.0)) * map.rotation;
+        let off = matrix * map.with_stretches(map.stretch.map(|s| s - 1.0)) * map.rotation;
         let target = matrix * map.rotation;
         for i in 0..3 {
             let g = shape.gradients[i];
@@ -148,7 +151,7 @@ fn assemble(
             system.add(triangle[i], triangle[j], g.dot(shape.gradients[j]) * matrix, x);
         }
     }
-    let hold = HOLD * trace / (2 * x.len()) as f64;
+    let hold = HOLD_WEIGHT * trace / (2 * x.len()) as f64;
     for (v, &p) in (0..).zip(x) {
         system.add_diagonal(v, DMat2::from_diagonal(DVec2::splat(hold)));
         system.add_right(v, hold * p);
@@ -156,7 +159,7 @@ fn assemble(
     Ok(gradient)
 }
 
-/// How far along the way, in its length, the first triangle folds; infinite if none does.
+/// Returns the fraction of the step at which the first triangle folds; infinity without a fold.
 fn first_fold(chart: &ChartMesh, x: &[DVec2], way: &[DVec2], job: &Job<'_>) -> Result<f64> {
     let mut first = f64::INFINITY;
     for (k, &triangle) in chart.triangles.iter().enumerate() {
@@ -168,7 +171,7 @@ fn first_fold(chart: &ChartMesh, x: &[DVec2], way: &[DVec2], job: &Job<'_>) -> R
         let (d, h, e) = (dp.perp_dot(dq), (p.perp_dot(dq) + dp.perp_dot(q)) / 2.0, p.perp_dot(q));
         let square = h * h - d * e;
         if square >= 0.0 {
-            // The smallest positive root, of the form that loses no digits.
+            // The smallest positive root, in the form that avoids cancellation.
             let s = -h - h.signum() * square.sqrt();
             for root in [s / d, e / s] {
                 if root > 0.0 && root < first {

@@ -1,20 +1,21 @@
-//! What is asked of a development, and what it returns.
+//! Options and results of a development.
 
 use glam::DVec2;
 use gusset_base::choices;
 use gusset_mesh::Mesh;
 use std::ops::Range;
 
-/// Which distortion is least.
+/// The distortion to minimise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Distortion {
-    /// Of lengths and areas, compression as bad as stretch: the symmetric Dirichlet energy, the
-    /// mean of s^2 + 1/s^2 over the singular values s of the map from the surface to the plane.
+    /// Distortion of lengths and areas, with compression and stretch penalised alike. It is the
+    /// symmetric Dirichlet energy: the mean of s^2 + 1/s^2 over the singular values s of the map
+    /// from the surface to the plane.
     #[default]
     Symmetric,
-    /// Of lengths, measured by (s - 1)^2: as rigid as possible.
+    /// Distortion of lengths, measured by (s - 1)^2: as rigid as possible.
     Rigid,
-    /// Of angles: a least squares conformal map, which may stretch areas.
+    /// Distortion of angles: a least squares conformal map, which may stretch areas.
     Conformal,
 }
 
@@ -27,84 +28,83 @@ choices! { for Distortion:
 /// Paths along which the surface is cut.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Cuts<'a> {
-    /// Vertices of the mesh, path after path. Vertices that follow one another and have no edge in
-    /// common are connected by the shortest path along edges.
+    /// The vertices of the paths, path by path. Consecutive vertices without a common edge are
+    /// connected by the shortest path along edges.
     pub vertices: &'a [u32],
-    /// Where each path begins among them, and the end of the last; empty for one path of all.
+    /// The start of each path in `vertices`, and the end of the last; empty for a single path.
     pub offsets: &'a [u32],
 }
 
-/// How to develop.
+/// Options of [`develop`](super::develop()).
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Options<'a> {
-    /// Which distortion is least.
+    /// The distortion to minimise.
     pub distortion: Distortion,
-    /// Cuts that are given. Where a component is no disc after them, the shortest further cuts are
-    /// made.
+    /// The given cuts. A component that is not a disc after these is opened by the shortest further
+    /// cuts.
     pub cuts: Cuts<'a>,
-    /// Darts at the most, each a cut from the border to where the curvature is.
+    /// Largest number of darts, which are cuts from the border to a place of high curvature.
     pub max_darts: u32,
-    /// No more darts are made once no length changes by a larger factor, above 1; `None`: all darts
-    /// are made.
+    /// Stops adding darts once no length changes by a larger factor, above 1; `None` allows all
+    /// darts.
     pub max_stretch: Option<f64>,
-    /// Steps of each descent at the most; 0 for 200. A chart whose border would meet itself takes
-    /// more than one, and so does one as rigid as possible.
+    /// Largest number of steps of each descent; 0 means 200. A chart whose border would intersect
+    /// itself takes several descents, and so does [`Distortion::Rigid`].
     pub max_iterations: u32,
 }
 
-/// How a chart came about.
+/// The construction of a chart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Finish {
-    /// By unfolding about edges: every edge has its length.
+    /// Unfolding about edges: every edge keeps its length.
     Exact,
-    /// By descent until nothing was gained.
+    /// Descent until the energy no longer decreased.
     Converged,
-    /// By descent, ended by the number of steps.
+    /// Descent until the limit on steps.
     IterationLimit,
-    /// By descent until no step was possible that gains: the border would meet itself, or rounding
-    /// hides it. Cuts or darts may help.
+    /// Descent until no further step was possible: the border would intersect itself, or round-off
+    /// hides the decrease. Cuts or darts may help.
     Stalled,
-    /// The conformal map that was asked for.
+    /// The requested conformal map.
     Conformal,
-    /// The conformal map folds or overlaps: the chart has the least symmetric distortion in its
-    /// place.
+    /// The conformal map folds or overlaps: the chart minimises the symmetric distortion instead.
     NotConformal,
-    /// No map without folds was found: the chart has triangles that are turned over.
+    /// No map without folds was found: some triangles of the chart are turned over.
     Folded,
 }
 
-/// Why an edge is cut.
+/// The reason why an edge is cut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CutKind {
-    /// On a path that was given.
+    /// It lies on a given path.
     Given,
-    /// To make a disc.
+    /// It opens a component to a disc.
     Opening,
-    /// For a dart.
+    /// It belongs to a dart.
     Dart,
 }
 
 /// A connected component of the development.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chart {
-    /// Its vertices among those of the result.
+    /// The chart's vertices in the result.
     pub vertices: Range<u32>,
-    /// The number of its faces.
+    /// The number of the chart's faces.
     pub faces: u32,
-    /// How it came about.
+    /// The construction of the chart.
     pub finish: Finish,
-    /// Steps of all its descents.
+    /// The number of steps of all descents.
     pub iterations: u32,
-    /// Pairs of edges of its border that meet in the plane, neighbours apart; 0 for a map that is
-    /// one to one. Only charts with [`Finish::Exact`] or [`Finish::Folded`] can have some.
+    /// The number of pairs of border edges that intersect in the plane, without neighbours; 0 for
+    /// an injective map. It is positive only with [`Finish::Exact`] or [`Finish::Folded`].
     pub overlaps: u32,
-    /// Triangles that are turned over; 0 but for [`Finish::Folded`].
+    /// The number of triangles that are turned over; 0 except with [`Finish::Folded`].
     pub folds: u32,
-    /// The symmetric Dirichlet energy, mean over the area; 4 for an isometry, which has the least.
+    /// The mean symmetric Dirichlet energy over the area. The minimum is 4, for an isometry.
     pub energy: f64,
-    /// The largest factor by which a length grows, and the least.
+    /// The largest factor by which a length changes, and the smallest.
     pub stretch: [f64; 2],
-    /// The area of the surface, in the squared unit of the positions.
+    /// The area on the surface, in the squared unit of the positions.
     pub area: f64,
     /// The area in the plane.
     pub flat_area: f64,
@@ -113,26 +113,26 @@ pub struct Chart {
 /// A development.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Developed {
-    /// The flat mesh: z is 0, and all faces are counterclockwise in the plane. The faces are those
-    /// of the surface in their order, each from its own first corner; vertices are chart after
-    /// chart. Positions have the surface's scalar type.
+    /// The flat mesh: z is 0, and all faces are counter-clockwise. It has the faces of the surface
+    /// in their order, each from its own first corner; its vertices are ordered by chart. Positions
+    /// have the surface's scalar type.
     pub mesh: Mesh,
-    /// The places of the vertices in double precision, in the unit of the positions. Charts lie
-    /// beside one another along x.
+    /// The vertices in double precision, in the unit of the positions. The charts lie side by side
+    /// along x.
     pub points: Vec<DVec2>,
-    /// Of each vertex, that of the surface that it is; vertices on cuts are several.
+    /// For each vertex, the vertex of the surface. A surface vertex on a cut has several copies.
     pub vertex_map: Vec<u32>,
-    /// The number of the surface's vertices.
+    /// The number of vertices of the surface.
     pub old_vertices: usize,
-    /// Of each face its chart.
+    /// For each face, its chart.
     pub face_charts: Vec<u32>,
-    /// Of each face the largest factor by which lengths in it grow, and the least; of a polygon
-    /// those of its triangles.
+    /// For each face, the largest factor by which lengths in it change, and the smallest; for a
+    /// polygon, over all its triangles.
     pub stretches: Vec<[f64; 2]>,
-    /// Charts in the order of their first faces.
+    /// The charts in the order of their first faces.
     pub charts: Vec<Chart>,
-    /// The edges that were cut, as pairs of vertices of the surface, each once; first those given,
-    /// then those that open, then darts.
+    /// The cut edges, each once as a pair of vertices of the surface: first the given ones, then
+    /// those that open components, then darts.
     pub cut_edges: Vec<([u32; 2], CutKind)>,
     /// The number of darts.
     pub darts: u32,

@@ -1,15 +1,15 @@
-//! From the mesh to its development.
+//! The steps from the mesh to its development.
 
 use super::STAGE;
 use super::chart::ChartMesh;
 use super::chart_system::System;
 use super::charts::Split;
-use super::cut_edges::{CutSurface, Graph, Search};
+use super::cut_edges::{CutSurface, Graph, PathSearch};
 use super::darts;
 use super::descend::{Border, Descent, End, descend, mean_energy};
 use super::develop_request::{Chart, CutKind, Developed, Distortion, Finish, Options};
 use super::energy::Jacobian;
-use super::exact_unfolding::{Lengths, turned_down};
+use super::exact_unfolding::{Lengths, unfold};
 use super::opening::open;
 use super::overlap::overlaps;
 use super::start_maps::{conformal, tutte};
@@ -21,38 +21,39 @@ use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 use gusset_mesh::{Mesh, MeshView, NONE, PositionBuffer};
 
-/// Steps of the descent, if the caller says nothing.
+/// Default limit on the steps of a descent.
 const MAX_ITERATIONS: u32 = 200;
-/// Charts are so far apart, in their greatest width.
-const GAP: f64 = 0.05;
+/// Distance between charts, relative to the greatest width of a chart.
+const CHART_GAP: f64 = 0.05;
 
-/// Edges of an exact chart that cross by no more than this, in the root of its area, only touch.
+/// Edges of an exact chart that cross by at most this, relative to the root of its area, only
+/// touch.
 const MAX_TOUCH: f64 = 1e-8;
 
 /// A chart in the plane.
 struct Flat {
-    /// In the unit.
+    /// The positions in the unit.
     x: Vec<DVec2>,
     finish: Finish,
     iterations: u32,
-    /// Of each face of the chart.
+    /// The stretches of each face of the chart.
     stretches: Vec<[f64; 2]>,
     energy: f64,
     overlaps: u32,
     folds: u32,
     area: f64,
     flat_area: f64,
-    /// Where a dart should end, if it was looked for.
+    /// The vertex at which a dart should end, if it was searched.
     tip: Option<u32>,
 }
 
 impl Flat {
-    /// Whether a dart was worth it.
+    /// Returns true if a dart was worthwhile.
     fn is_better_than(&self, other: &Flat) -> bool {
         self.folds == 0 && self.overlaps == 0 && self.energy < other.energy
     }
 
-    /// The largest factor by which a length changes.
+    /// Returns the largest factor by which a length changes, above 1.
     fn worst(&self) -> f64 {
         let of = |&[most, least]: &[f64; 2]| most.max(1.0 / least.max(f64::MIN_POSITIVE));
         self.stretches.iter().map(of).fold(1.0, f64::max)
@@ -61,18 +62,19 @@ impl Flat {
 
 /// Lays a surface out in the plane with the least distortion.
 ///
-/// It is cut along the paths given, and where a component is no disc then, along the shortest
-/// further ones. A chart that can be unfolded about its edges keeps every length; another one
-/// descends to the least distortion, without folding a triangle or overlapping itself. Edges of
-/// three or more faces, and those whose faces disagree in orientation, are borders.
+/// The surface is cut along the given paths. Components that are not discs are opened along the
+/// shortest further paths. A chart that can be unfolded about its edges keeps every length. Any
+/// other chart descends to the least distortion, without folding a triangle or overlapping itself.
+/// Edges with three or more faces, and edges whose faces have inconsistent orientations, are
+/// borders.
 ///
-/// O(H log H) for charts that are unfolded; each step of a descent O(n^1.5) for the n vertices of
-/// its chart. Memory: linear but for the factor, O(n log n).
+/// O(H log H) for charts that are unfolded, and O(n^1.5) for each step of a descent with n
+/// vertices. Memory is linear, except O(n log n) for the factor.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] for a `max_stretch` that is not finite and above 1,
-/// [`Error::RepeatedCorner`], [`Error::BadOffsets`] of the cuts, [`Error::LoopIndexOutOfRange`] for
-/// a vertex of a cut that does not exist, [`Error::CutNotConnected`], [`Error::OutOfMemory`],
+/// [`Error::OptionOutOfRange`] for a `max_stretch` that is not finite and above 1.
+/// [`Error::BadOffsets`] for the cuts. [`Error::LoopIndexOutOfRange`] for a vertex of a cut that
+/// does not exist. [`Error::CutNotConnected`], [`Error::RepeatedCorner`], [`Error::OutOfMemory`],
 /// [`Error::Cancelled`].
 pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Result<Developed> {
     if let Some(stretch) = options.max_stretch {
@@ -86,7 +88,7 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
     let unit = common_unit(&points);
     drop(points);
     let mut surface = CutSurface::new(mesh, &job.part(0.0, 0.05))?;
-    surface.cut_along(&options.cuts, &job.part(0.05, 0.05))?;
+    surface.cut_paths(&options.cuts, &job.part(0.05, 0.05))?;
     let mut split = Split::new(&surface, &job.part(0.05, 0.06))?;
     if open(&mut surface, &split, &job.part(0.06, 0.08))? {
         split = Split::new(&surface, &job.part(0.08, 0.1))?;
@@ -95,7 +97,7 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
     let mut flats: Vec<Option<Flat>> = alloc::with_capacity(count)?;
     flats.resize_with(count, || None);
     let whole = job.part(0.1, 0.95);
-    // How many darts there will be shows at the end only: each gets half of what is left.
+    // The number of darts is unknown in advance: each gets half of the remaining progress.
     let looks = options.max_darts > 0;
     let middle = if looks { 0.5 } else { 1.0 };
     let (first, mut rest) = (whole.part(0.0, middle), whole.part(middle, 1.0));
@@ -114,8 +116,8 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
         let flat = flatten(&surface, &parts, chart, unit, options, true, &job.part(0.1, 1.0))?;
         let old = flats[chart].as_mut().filter(|old| !flat.is_better_than(old));
         if let Some(old) = old {
-            // The chart gets no more.
-            surface.close(&cut);
+            // Do not try further darts on this chart.
+            surface.undo_cuts(&cut);
             old.tip = None;
         } else {
             (split, flats[chart], made) = (parts, Some(flat), made + 1);
@@ -123,10 +125,10 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
     }
     let flats = alloc::gather(flats.into_iter().flatten())?;
     job.step(0.95, STAGE)?;
-    result(mesh, surface, split, &flats, unit, made, &job.part(0.95, 1.0))
+    build_result(mesh, surface, split, &flats, unit, made, &job.part(0.95, 1.0))
 }
 
-/// The chart that needs a dart most, and where it should end.
+/// Returns the chart that most needs a dart, and the vertex at which the dart should end.
 fn worst(flats: &[Option<Flat>], options: &Options<'_>) -> Option<(usize, u32)> {
     let limit = options.max_stretch.unwrap_or(1.0);
     let needs = flats.iter().enumerate().filter_map(|(k, flat)| {
@@ -136,7 +138,7 @@ fn worst(flats: &[Option<Flat>], options: &Options<'_>) -> Option<(usize, u32)> 
     needs.max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1))).map(|(_, chart, tip)| (chart, tip))
 }
 
-/// Cuts from a vertex inside a chart along the shortest path to its border, which is returned.
+/// Cuts from a vertex inside a chart along the shortest path to its border, and returns the path.
 fn dart(surface: &mut CutSurface<'_, '_>, split: &Split, chart: usize, tip: u32, job: &Job<'_>) -> Result<Vec<u32>> {
     let faces = *surface.mesh.faces();
     let mut on_border = BitSet::new(split.vertex_map.len())?;
@@ -149,7 +151,7 @@ fn dart(surface: &mut CutSurface<'_, '_>, split: &Split, chart: usize, tip: u32,
     }
     let count = split.vertex_map.len();
     let graph = Graph::new(surface, count, |h| split.corners[h as usize], job)?;
-    let mut search = Search::new(count)?;
+    let mut search = PathSearch::new(count)?;
     let Some(end) = search.shortest(&graph, &[tip], |v| on_border.contains(v), job)? else {
         return Ok(Vec::new());
     };
@@ -170,18 +172,18 @@ fn flatten(
     job: &Job<'_>,
 ) -> Result<Flat> {
     let chart = ChartMesh::new(surface, split, number, unit, &job.part(0.0, 0.05))?;
-    let exact = |x| measured(&chart, x, Finish::Exact, 0, None, &job.part(0.95, 1.0));
-    let lengths = Lengths::of(&chart, &job.part(0.05, 0.05))?;
-    let turned = turned_down(&chart, &job.part(0.05, 0.05))?;
+    let exact = |x| measure(&chart, x, Finish::Exact, 0, None, &job.part(0.95, 1.0));
+    let lengths = Lengths::new(&chart, &job.part(0.05, 0.05))?;
+    let turned = unfold(&chart, &job.part(0.05, 0.05))?;
     if lengths.are_kept(&turned, &job.part(0.05, 0.05))? {
         return exact(turned);
     }
     let mut system = System::new(&chart, &job.part(0.05, 0.1))?;
-    if let Some(x) = lengths.restored(&mut system, turned, &job.part(0.1, 0.12))? {
+    if let Some(x) = lengths.restore(&mut system, turned, &job.part(0.1, 0.12))? {
         return exact(x);
     }
     let x = conformal(&chart, &mut system, &job.part(0.12, 0.15))?;
-    if let Some(x) = lengths.restored(&mut system, alloc::copied(&x)?, &job.part(0.15, 0.18))? {
+    if let Some(x) = lengths.restore(&mut system, alloc::copied(&x)?, &job.part(0.15, 0.18))? {
         return exact(x);
     }
     let tip = match looks_for_tip {
@@ -190,15 +192,15 @@ fn flatten(
     };
     let is_conformal = options.distortion == Distortion::Conformal;
     if is_conformal && chart.folds(&x) == 0 && is_apart(&chart, &x, &job.part(0.2, 0.2))? {
-        return measured(&chart, x, Finish::Conformal, 0, tip, &job.part(0.95, 1.0));
+        return measure(&chart, x, Finish::Conformal, 0, tip, &job.part(0.95, 1.0));
     }
     let limit = if options.max_iterations == 0 { MAX_ITERATIONS } else { options.max_iterations };
-    // What is as rigid as possible may fold, and is looked for from a map that does not.
+    // The rigid energy does not prevent folds, so start from a map without folds.
     let end = if options.distortion == Distortion::Rigid { 0.6 } else { 0.95 };
-    let mut done = least(&chart, &mut system, Distortion::Symmetric, x, limit, &job.part(0.2, end))?;
+    let mut done = minimise_distortion(&chart, &mut system, Distortion::Symmetric, x, limit, &job.part(0.2, end))?;
     if options.distortion == Distortion::Rigid && done.end != End::Folded {
         let before = done.iterations;
-        done = least(&chart, &mut system, Distortion::Rigid, done.x, limit, &job.part(end, 0.95))?;
+        done = minimise_distortion(&chart, &mut system, Distortion::Rigid, done.x, limit, &job.part(end, 0.95))?;
         done.iterations += before;
     }
     let finish = match done.end {
@@ -208,17 +210,17 @@ fn flatten(
         End::Stalled => Finish::Stalled,
         End::IterationLimit => Finish::IterationLimit,
     };
-    measured(&chart, done.x, finish, done.iterations, tip, &job.part(0.95, 1.0))
+    measure(&chart, done.x, finish, done.iterations, tip, &job.part(0.95, 1.0))
 }
 
-/// True if the border of a map does not meet itself.
+/// Returns true if the border of a map does not intersect itself.
 fn is_apart(chart: &ChartMesh, x: &[DVec2], job: &Job<'_>) -> Result<bool> {
     Ok(overlaps(&chart.border, x, 0.0, 1, job)? == 0)
 }
 
-/// The map of least distortion that is one to one, by descent from `x`, or, where that folds or
-/// leads to none, from Tutte's map.
-fn least(
+/// Returns the injective map of least distortion by descent from `x`. If `x` folds, or the descent
+/// fails, starts again from Tutte's map.
+fn minimise_distortion(
     chart: &ChartMesh,
     system: &mut System,
     distortion: Distortion,
@@ -245,8 +247,8 @@ fn least(
     Ok(Descent { x: start, iterations, end: End::Folded })
 }
 
-/// The chart with its measures, turned so that it is longest along x.
-fn measured(
+/// Measures the chart, after turning it so that it is longest along x.
+fn measure(
     chart: &ChartMesh,
     mut x: Vec<DVec2>,
     finish: Finish,
@@ -271,7 +273,7 @@ fn measured(
         iterations,
         stretches,
         energy: mean_energy(chart, Distortion::Symmetric, &x, &job.part(0.0, 0.0))?,
-        // Sides of slits in what is flat lie on one another.
+        // In an exact chart, the sides of slits coincide.
         overlaps: overlaps(&chart.border, &x, if finish == Finish::Exact { slack } else { 0.0 }, u32::MAX, job)?,
         folds: if finish == Finish::Exact { 0 } else { chart.folds(&x) },
         area: chart.area(),
@@ -281,7 +283,8 @@ fn measured(
     })
 }
 
-/// Turns a map so that its border is longest along x, and puts its lower left corner at the origin.
+/// Turns a map so that its border is longest along x, and moves its lower left corner to the
+/// origin.
 fn lay_along_x(border: &[[u32; 2]], x: &mut [DVec2]) {
     let count = border.len() as f64;
     let mean = border.iter().map(|&[v, _]| x[v as usize]).sum::<DVec2>() / count;
@@ -301,7 +304,7 @@ fn lay_along_x(border: &[[u32; 2]], x: &mut [DVec2]) {
     x.iter_mut().for_each(|p| *p -= low);
 }
 
-fn result(
+fn build_result(
     mesh: &MeshView<'_>,
     surface: CutSurface<'_, '_>,
     split: Split,
@@ -312,7 +315,7 @@ fn result(
 ) -> Result<Developed> {
     job.step(0.0, STAGE)?;
     let width = |flat: &Flat| flat.x.iter().fold(0.0, |most: f64, p| most.max(p.x));
-    let gap = GAP * flats.iter().map(width).fold(0.0, f64::max);
+    let gap = CHART_GAP * flats.iter().map(width).fold(0.0, f64::max);
     job.step(0.0, STAGE)?;
     let mut points = alloc::with_capacity(split.vertex_map.len())?;
     let mut stretches = alloc::filled([1.0; 2], mesh.faces().len())?;

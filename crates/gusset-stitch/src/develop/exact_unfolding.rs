@@ -1,8 +1,8 @@
-//! Exact development: places in the plane at which every edge has its length.
+//! Exact development: positions in the plane at which every edge keeps its length.
 //!
-//! Triangles are turned about their edges into the plane, one after the other. Round-off grows on
-//! the way, so that large charts begin with their conformal map, which is the same for what can be
-//! unfolded. Gauss and Newton's steps towards the lengths of all edges take the rest out: a
+//! Triangles are unfolded about their edges into the plane, one after another. Round-off
+//! accumulates, so large charts start from their conformal map, which is the exact unfolding if
+//! there is one. Gauss-Newton steps towards the lengths of all edges remove the remaining error: a
 //! triangulated disc is rigid in the plane.
 
 use super::chart::ChartMesh;
@@ -15,17 +15,18 @@ use gusset_base::job::Job;
 use gusset_mesh::NONE;
 use std::collections::VecDeque;
 
-/// Edges may miss their lengths by this part of them.
+/// Largest relative error of an edge's length.
 const MAX_LENGTH_ERROR: f64 = 1e-10;
-/// Edges shorter than so many mean ones may miss their lengths as if they were that long.
-const SHORT: f64 = 1e-3;
-/// Surfaces that miss by more are curved.
+/// The error of shorter edges is relative to this fraction of the mean edge.
+const SHORT_EDGE: f64 = 1e-3;
+/// Surfaces with a larger error are curved.
 const MAX_CLOSING_ERROR: f64 = 1e-3;
-/// What a triangle may lack in area, doubled, in squares of the mean edge.
+/// Largest deficit of a triangle's doubled area, in squared mean edges.
 const MAX_AREA_ERROR: f64 = 1e-6;
 const MAX_STEPS: usize = 3;
-/// A weight that holds vertices, beside 1 for each edge: the plane has no place of its own.
-const HOLD: f64 = 1e-9;
+/// Weight that holds vertices in place, relative to 1 for each edge: lengths are invariant under
+/// translation.
+const HOLD_WEIGHT: f64 = 1e-9;
 
 /// The lengths of the edges of a chart.
 pub(super) struct Lengths<'a> {
@@ -34,7 +35,7 @@ pub(super) struct Lengths<'a> {
 }
 
 impl<'a> Lengths<'a> {
-    pub(super) fn of(chart: &'a ChartMesh, job: &Job<'_>) -> Result<Self> {
+    pub(super) fn new(chart: &'a ChartMesh, job: &Job<'_>) -> Result<Self> {
         let mut lengths = Lengths { chart, mean: 0.0 };
         let mut sum = 0.0;
         for (k, [u, v]) in lengths.edges().enumerate() {
@@ -45,7 +46,7 @@ impl<'a> Lengths<'a> {
         Ok(lengths)
     }
 
-    /// Edges of two triangles twice.
+    /// Returns the edges. Edges with two triangles occur twice.
     fn edges(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         (0..3 * self.chart.triangles.len()).map(|k| {
             let triangle = self.chart.triangles[k / 3];
@@ -53,12 +54,12 @@ impl<'a> Lengths<'a> {
         })
     }
 
-    /// The largest error of an edge in the plane, in its length, or in [`SHORT`] mean edges if that
-    /// is more; NaN if there is one without a place.
+    /// Returns the largest error of an edge in the plane, relative to its length, or to
+    /// [`SHORT_EDGE`] mean edges if that is longer. The result is NaN if a vertex lacks a position.
     fn error(&self, x: &[DVec2], job: &Job<'_>) -> Result<f64> {
         let of = |[u, v]: [u32; 2]| {
             let wanted = self.chart.length(u, v);
-            (x[u as usize].distance(x[v as usize]) - wanted).abs() / wanted.max(SHORT * self.mean)
+            (x[u as usize].distance(x[v as usize]) - wanted).abs() / wanted.max(SHORT_EDGE * self.mean)
         };
         let largest = |worst: f64, error: f64| if error > worst || error.is_nan() { error } else { worst };
         let mut worst = 0.0;
@@ -69,8 +70,8 @@ impl<'a> Lengths<'a> {
         Ok(worst)
     }
 
-    /// True if every edge has its length, and no triangle is turned over. One without area may come
-    /// to lie either way.
+    /// Returns true if every edge keeps its length, and no triangle is turned over. A degenerate
+    /// triangle may lie either way.
     pub(super) fn are_kept(&self, x: &[DVec2], job: &Job<'_>) -> Result<bool> {
         let stands = |t: usize| {
             let [a, b, c] = self.chart.triangles[t].map(|v| self.chart.points[v as usize]);
@@ -88,9 +89,9 @@ impl<'a> Lengths<'a> {
         Ok(true)
     }
 
-    /// The places near `x` at which every edge has its length; `None` if there are none. O(T) for T
-    /// triangles, and up to three factors where `x` is near but not there.
-    pub(super) fn restored(&self, system: &mut System, mut x: Vec<DVec2>, job: &Job<'_>) -> Result<Option<Vec<DVec2>>> {
+    /// Returns the positions near `x` at which every edge keeps its length; `None` if they are not
+    /// found. O(T) for T triangles, and up to three factorisations if `x` is near but not exact.
+    pub(super) fn restore(&self, system: &mut System, mut x: Vec<DVec2>, job: &Job<'_>) -> Result<Option<Vec<DVec2>>> {
         for step in 0..MAX_STEPS {
             let job = job.share(step, MAX_STEPS);
             let error = self.error(&x, &job)?;
@@ -98,15 +99,15 @@ impl<'a> Lengths<'a> {
                 break;
             }
             job.step(0.0, STAGE)?;
-            x = closer(self.chart, system, &x, &job)?;
+            x = gauss_newton_step(self.chart, system, &x, &job)?;
             job.step(1.0, STAGE)?;
         }
         Ok(self.are_kept(&x, &job.part(1.0, 1.0))?.then_some(x))
     }
 }
 
-/// Turns triangles into the plane, neighbours after each other, from the largest on. O(T).
-pub(super) fn turned_down(chart: &ChartMesh, job: &Job<'_>) -> Result<Vec<DVec2>> {
+/// Unfolds triangles into the plane, neighbour by neighbour, from the largest one. O(T).
+pub(super) fn unfold(chart: &ChartMesh, job: &Job<'_>) -> Result<Vec<DVec2>> {
     let count = chart.triangles.len();
     let mut x = alloc::filled(DVec2::NAN, chart.points.len())?;
     let mut seen = alloc::filled(false, count)?;
@@ -137,7 +138,7 @@ pub(super) fn turned_down(chart: &ChartMesh, job: &Job<'_>) -> Result<Vec<DVec2>
     Ok(x)
 }
 
-/// The third corner to the left of a side in the plane.
+/// Returns the third corner to the left of a side in the plane.
 fn third([p, q]: [DVec2; 2], [a, b, c]: [DVec3; 3]) -> DVec2 {
     let side = b - a;
     let square = side.length_squared().max(f64::MIN_POSITIVE);
@@ -146,8 +147,8 @@ fn third([p, q]: [DVec2; 2], [a, b, c]: [DVec3; 3]) -> DVec2 {
     p + along * (q - p) + height * (q - p).perp()
 }
 
-/// The places at which, to first order, the sum of the squared differences of lengths is least.
-fn closer(chart: &ChartMesh, system: &mut System, x: &[DVec2], job: &Job<'_>) -> Result<Vec<DVec2>> {
+/// Returns the positions after one Gauss-Newton step on the squared differences of lengths.
+fn gauss_newton_step(chart: &ChartMesh, system: &mut System, x: &[DVec2], job: &Job<'_>) -> Result<Vec<DVec2>> {
     let still = alloc::filled(DVec2::ZERO, x.len())?;
     system.clear(&job.part(0.0, 0.0))?;
     for (k, triangle) in chart.triangles.iter().enumerate() {
@@ -160,7 +161,7 @@ fn closer(chart: &ChartMesh, system: &mut System, x: &[DVec2], job: &Job<'_>) ->
             system.add(u, v, -block, &still);
             let pull = (chart.length(u, v) - side.length()) * along;
             for (v, pull) in [(u, -pull), (v, pull)] {
-                system.add_diagonal(v, block + DMat2::from_diagonal(DVec2::splat(HOLD)));
+                system.add_diagonal(v, block + DMat2::from_diagonal(DVec2::splat(HOLD_WEIGHT)));
                 system.add_right(v, pull);
             }
         }

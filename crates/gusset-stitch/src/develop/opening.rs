@@ -1,14 +1,15 @@
-//! Cuts that leave discs only.
+//! Cuts that leave only discs.
 //!
-//! Loops of a chart's border are joined by shortest paths, one after the other. Handles are cut by
-//! the greedy system of loops (Erickson, Whittlesey): T is the tree of shortest paths from the
-//! border, or from a vertex; of the other edges those that a spanning tree of the faces crosses are
-//! left whole, the edges of long loops first; each of the 2 g that remain closes a loop with T,
-//! and cutting along these loops leaves a disc.
+//! The loops of a chart's border are joined by shortest paths, one after another. Handles are cut
+//! by the greedy system of loops (Erickson, Whittlesey). T is the tree of shortest paths from the
+//! border, or from a vertex. The other edges are sorted by the loops they close with T, the longest
+//! first. In this order, a spanning tree of the faces is built from the edges that it may cross;
+//! they stay whole. Each of the remaining 2 g edges closes a loop with T, and cutting along these
+//! loops leaves a disc.
 
 use super::STAGE;
 use super::charts::Split;
-use super::cut_edges::{CutSurface, Graph, Search};
+use super::cut_edges::{CutSurface, Graph, PathSearch};
 use super::develop_request::CutKind;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -18,8 +19,8 @@ use gusset_base::job::Job;
 use gusset_base::sort::{Buckets, sort};
 use gusset_mesh::NONE;
 
-/// Cuts each chart that is no disc, until it is one; true if there was any. O(H log V) for each
-/// loop and handle.
+/// Cuts each chart that is not a disc until it is one. Returns true if there were any. O(H log V)
+/// for each loop and handle.
 pub(super) fn open(surface: &mut CutSurface<'_, '_>, split: &Split, job: &Job<'_>) -> Result<bool> {
     let charts = split.euler.len();
     if (0..charts).all(|chart| split.is_disc(chart)) {
@@ -27,7 +28,7 @@ pub(super) fn open(surface: &mut CutSurface<'_, '_>, split: &Split, job: &Job<'_
     }
     let count = split.vertex_map.len();
     let graph = Graph::new(surface, count, |h| split.corners[h as usize], job)?;
-    let mut search = Search::new(count)?;
+    let mut search = PathSearch::new(count)?;
     for chart in (0..charts).filter(|&chart| !split.is_disc(chart)) {
         let done = chart as f64 / charts as f64;
         job.step(done, STAGE)?;
@@ -39,7 +40,7 @@ pub(super) fn open(surface: &mut CutSurface<'_, '_>, split: &Split, job: &Job<'_
 struct Opening<'a> {
     split: &'a Split,
     graph: &'a Graph,
-    search: &'a mut Search,
+    search: &'a mut PathSearch,
     chart: usize,
 }
 
@@ -89,18 +90,18 @@ impl Opening<'_> {
             return self.cut_handles(surface, &sources, job);
         }
         if loops.is_empty() {
-            // A sphere: along a path as long as can be.
+            // A sphere: cut along a path as long as possible.
             let start = self.farthest(&sources, job)?;
             let end = self.farthest(&[start], job)?;
             let path = self.search.path(end)?;
             for &h in &path {
                 surface.cut(h, CutKind::Opening)?;
             }
-            // One edge has the same two ends on both sides, and opens nothing.
-            return if path.len() == 1 { self.prolong(surface, [start, end]) } else { Ok(()) };
+            // A single edge has equal ends on both sides, and does not open the sphere.
+            return if path.len() == 1 { self.extend_slit(surface, [start, end]) } else { Ok(()) };
         }
         match loops.as_slice() {
-            [ends] if self.split.border[self.chart] < 3 => self.prolong(surface, [ends[0], ends[ends.len() - 1]]),
+            [ends] if self.split.border[self.chart] < 3 => self.extend_slit(surface, [ends[0], ends[ends.len() - 1]]),
             _ => Ok(()),
         }
     }
@@ -114,7 +115,7 @@ impl Opening<'_> {
         self.split.faces.get(self.chart).iter().flat_map(move |&f| faces.range(f as usize)).map(|h| h as u32)
     }
 
-    /// The vertices of each loop of the chart's border.
+    /// Returns the vertices of each loop of the chart's border.
     fn loops(&self, surface: &CutSurface<'_, '_>, job: &Job<'_>) -> Result<Vec<Vec<u32>>> {
         let vertices = self.split.vertices[self.chart].clone();
         let (first, count) = (vertices.start, vertices.len());
@@ -136,7 +137,7 @@ impl Opening<'_> {
         alloc::try_collect(loops.map(alloc::copied))
     }
 
-    /// The vertex of the chart that is farthest from all sources.
+    /// Returns the vertex of the chart that is farthest from all sources.
     fn farthest(&mut self, sources: &[u32], job: &Job<'_>) -> Result<u32> {
         self.search.shortest(self.graph, sources, |_| false, job)?;
         let distance = |v: u32| self.search.distances[v as usize];
@@ -145,8 +146,8 @@ impl Opening<'_> {
     }
 
     /// Cuts along one more edge at an end of a slit.
-    fn prolong(&self, surface: &mut CutSurface<'_, '_>, ends: [u32; 2]) -> Result<()> {
-        let more = self.graph.around(ends[1]).iter().find(|&&(v, ..)| !ends.contains(&v));
+    fn extend_slit(&self, surface: &mut CutSurface<'_, '_>, ends: [u32; 2]) -> Result<()> {
+        let more = self.graph.neighbours(ends[1]).iter().find(|&&(v, ..)| !ends.contains(&v));
         more.map_or(Ok(()), |&(_, h, _)| surface.cut(h, CutKind::Opening))
     }
 
@@ -162,14 +163,14 @@ impl Opening<'_> {
                 continue;
             }
             let [u, v] = self.ends(surface, h);
-            let is_of_tree = [u, v].iter().any(|&v| self.search.comes_by(v, h) || self.search.comes_by(v, mate));
+            let is_of_tree = [u, v].iter().any(|&v| self.search.arrives_by(v, h) || self.search.arrives_by(v, mate));
             if !is_of_tree {
                 let length = self.search.distances[u as usize] + self.search.distances[v as usize];
                 let [p, q] = surface.ends(h).map(|v| surface.mesh.positions().get(v));
                 alloc::push(&mut edges, (length + distance(p, q), h))?;
             }
         }
-        // Those of the longest loops first.
+        // Visit the edges of the longest loops first.
         sort(&mut edges, |a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)), job, STAGE)?;
         let mut joined = DisjointSets::new(faces.len())?;
         let mut cuts = Vec::new();

@@ -1,7 +1,7 @@
-//! Borders that cross in the plane.
+//! Borders that intersect themselves in the plane.
 //!
-//! A map of a disc that folds no triangle is one to one if the border does not meet itself (Smith,
-//! Schaefer, section 3).
+//! A map of a disc without folded triangles is injective if its border does not intersect itself
+//! (Smith, Schaefer, section 3).
 
 use super::STAGE;
 use glam::DVec2;
@@ -11,10 +11,11 @@ use gusset_base::job::Job;
 use gusset_base::sort::sort;
 use robust::{Coord, orient2d};
 
-/// The pairs of border edges without a common vertex that meet, up to `enough`: that touch, decided
-/// exactly, or, with a `slack`, that cross and go on by more than that on both sides.
+/// Counts the pairs of border edges without a common vertex that intersect, up to `enough`.
+/// Touching counts and is decided exactly; with a `slack`, both edges must extend beyond the
+/// crossing by more than that on both sides.
 ///
-/// Edges are swept from left to right: O(b log b + p) for b edges and p pairs of them that overlap
+/// Edges are swept from left to right: O(b log b + p) for b edges and p pairs of edges that overlap
 /// in x.
 pub(super) fn overlaps(border: &[[u32; 2]], x: &[DVec2], slack: f64, enough: u32, job: &Job<'_>) -> Result<u32> {
     let job = &job.part(0.0, 0.0);

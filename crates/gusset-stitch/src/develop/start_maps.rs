@@ -1,4 +1,4 @@
-//! Maps to begin with: least squares conformal ones, and Tutte's, which never folds.
+//! Initial maps: least squares conformal maps, and Tutte's map, which never folds.
 
 use super::chart::ChartMesh;
 use super::chart_system::System;
@@ -10,9 +10,9 @@ use gusset_base::job::Job;
 use gusset_mesh::NONE;
 use std::f64::consts::TAU;
 
-/// The least squares conformal map, with the area of the chart: half the squared norm of J less its
-/// determinant, summed over the triangles, is least. Two vertices of the border that are far apart
-/// stay.
+/// Returns the least squares conformal map, scaled to the area of the chart. It minimises half the
+/// squared norm of J minus its determinant, summed over the triangles. Two distant vertices of the
+/// border are fixed.
 pub(super) fn conformal(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -> Result<Vec<DVec2>> {
     let mut x = alloc::filled(DVec2::ZERO, chart.points.len())?;
     let farthest = |from: u32| {
@@ -43,7 +43,7 @@ pub(super) fn conformal(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -
     Ok(x)
 }
 
-/// Tutte's map: the border goes round a circle, and every other vertex is the mean of its
+/// Returns Tutte's map: the border lies on a circle, and every other vertex is the mean of its
 /// neighbours.
 pub(super) fn tutte(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -> Result<Vec<DVec2>> {
     let mut x = alloc::filled(DVec2::ZERO, chart.points.len())?;
@@ -51,7 +51,7 @@ pub(super) fn tutte(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -> Re
     chart.border.iter().for_each(|&[u, v]| next[u as usize] = v);
     let length = |u: u32| chart.length(u, next[u as usize]);
     let mean = chart.border.iter().map(|&[u, _]| length(u)).sum::<f64>() / chart.border.len() as f64;
-    // No part of the circle is without length.
+    // Every part of the circle has a positive length.
     let part = |u: u32| length(u).max(1e-3 * mean);
     let all: f64 = chart.border.iter().map(|&[u, _]| part(u)).sum();
     let (mut v, mut angle) = (chart.border[0][0], 0.0);
@@ -76,7 +76,7 @@ pub(super) fn tutte(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -> Re
     Ok(x)
 }
 
-/// Gives the map the area of the chart.
+/// Scales the map to the area of the chart.
 fn scale(chart: &ChartMesh, x: &mut [DVec2]) {
     let flat: f64 = (0..chart.triangles.len()).map(|t| chart.double_area(t, x) / 2.0).sum();
     let factor = (chart.area() / flat.abs()).sqrt();

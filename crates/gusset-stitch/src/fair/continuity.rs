@@ -1,15 +1,15 @@
-//! How smoothly a plate goes on what it is clamped to.
+//! The continuity of a plate with the surface to which it is clamped.
 
 use gusset_base::choices;
 
-/// What a new surface has in common with the old one where they meet.
+/// The continuity of a new surface with the old one along their common border.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Continuity {
-    /// The tangent planes: its Laplacian is least.
+    /// Common tangent planes: minimises the Laplacian.
     #[default]
     C1,
-    /// The curvature, too: the gradient of its Laplacian is least. Two rings of old faces have a
-    /// say, and with them their noise.
+    /// Common curvature too: minimises the gradient of the Laplacian. Depends on two rings of old
+    /// faces, and on their noise.
     C2,
 }
 

@@ -7,7 +7,7 @@ use gusset_base::sparse::Coupling;
 /// The couplings of a plate.
 pub(super) struct Couplings<'a> {
     pub(super) rings: &'a Rings,
-    /// True of the rows of the Laplacian that the energy has.
+    /// True for the rows of the Laplacian that the energy contains.
     pub(super) is_row: &'a [bool],
     pub(super) continuity: Continuity,
 }

@@ -1,4 +1,4 @@
-//! How a patch bends at each of its vertices, without the detail of its triangles.
+//! The curvature of a patch at each vertex, without the detail of its triangles.
 
 use super::rings::{Rings, Weights};
 use glam::DVec3;
@@ -6,10 +6,10 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
-/// Vertices between two progress reports.
+/// Number of vertices between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 14;
 
-/// Averages of the normals.
+/// Number of smoothing passes over the normals.
 const NORMAL_PASSES: u32 = 2;
 
 /// Sums over vertices.
@@ -17,21 +17,23 @@ const NORMAL_PASSES: u32 = 2;
 struct Sum {
     /// The Laplacian along the normal, times the area.
     bend: f64,
-    /// The area of the vertices that have a Laplacian.
+    /// The area of the vertices with a Laplacian.
     area: f64,
     /// The area vector.
     normal: DVec3,
 }
 
-/// The Laplacian of the surface at each vertex, twice its mean curvature times its normal, both
-/// averaged over some edges round it: the ridges of a polyhedron go, the way that it bends as a
-/// whole stays. (The mean of the Laplacians as vectors would be too short where the normals turn;
-/// that of the normals, round a thin tube, is no direction: it goes [`NORMAL_PASSES`] far.)
+/// Returns the Laplacian of the surface at each vertex: twice its mean curvature times its normal,
+/// both smoothed over a few edges.
 ///
-/// Those of vertices whose rings of triangles are not `closed` come from their neighbours. `points`
-/// are in a unit of about their size, the result is in one over that unit.
-/// `passes`: averages over all neighbours, weighted by area, one after the other, which reach about
-/// 2 sqrt(passes) edges far. O(passes * T) for T triangles.
+/// Smoothing removes the ridges of a polyhedron, and keeps the bend of the whole. The Laplacians
+/// are not averaged as vectors, because the mean is too short where normals turn. The normals are
+/// averaged only in [`NORMAL_PASSES`] passes, because around a thin tube their mean vanishes.
+/// Vertices whose one-ring is not `closed` get the values of their neighbours.
+///
+/// `points` are in a unit of about their size; the result is in the reciprocal of that unit. Each
+/// of the `passes` averages over all neighbours, weighted by area; together they reach about 2
+/// sqrt(passes) edges. O(passes * T) for T triangles.
 pub(crate) fn mean_curvature(
     points: &[DVec3],
     triangles: &[[u32; 3]],

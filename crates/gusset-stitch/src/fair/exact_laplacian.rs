@@ -1,14 +1,14 @@
 //! A Laplacian that is exact for quadratic functions on the tangent planes.
 //!
-//! That of cotangents is right in the mean, but at an irregular vertex it takes a part of any bend
-//! for its own: from vertex to vertex it differs by as much on the finest triangles, and where its
-//! gradient is to be least, a plate would rather not bend at all. Here the weights of each vertex
-//! are those nearest to the cotangents' whose Laplacian is 0 for linear functions, 4 for the
-//! squared distance and 0 for both saddles, as far as its neighbours allow.
+//! The cotangent Laplacian is right on average. At an irregular vertex it has an error proportional
+//! to the bend, which does not vanish on finer triangles. If its gradient is minimised, this error
+//! makes the plate too flat. Here the Laplacian of each vertex is 0 for linear functions, 4 for the
+//! squared distance and 0 for both saddles, as far as the neighbours allow. Its weights are the
+//! nearest ones to the cotangents.
 //!
 //! Source: T. Liszka, J. Orkisz, *The finite difference method at arbitrary irregular grids and its
-//! application in applied mechanics* (1980), for differences exact for polynomials. Neighbours lie
-//! in the tangent plane in their directions, as far away as they are.
+//! application in applied mechanics* (1980), for differences that are exact for polynomials.
+//! Neighbours are placed in the tangent plane, in their directions and at their distances.
 
 use super::rings::{Rings, Rows};
 use glam::DVec3;
@@ -17,25 +17,24 @@ use gusset_base::error::Result;
 use gusset_base::geom::linear::cholesky;
 use gusset_base::job::Job;
 
-/// The conditions are met but for this part, so that few neighbours, or some in line, ask for no
-/// huge weights.
+/// Slack of the conditions, which limits the weights if neighbours are few or collinear.
 const SLACK: f64 = 1e-3;
-/// Vertices between two progress reports.
+/// Number of vertices between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 12;
-/// A ring is at least this part as wide as it is long, or counts as being so.
+/// Smallest ratio of a ring's width to its length; narrower rings are treated as this wide.
 const MIN_WIDTH: f64 = 1e-3;
-/// x, y, x^2 / 2, y^2 / 2, x y.
+/// The functions x, y, x^2 / 2, y^2 / 2, x y.
 const CONDITIONS: usize = 5;
 
 /// The rows and the columns of the Laplacian, for the neighbours of rings.
-pub(super) struct Exact {
+pub(super) struct ExactLaplacian {
     rows: Vec<(u32, f64)>,
     columns: Vec<(u32, f64)>,
     middle: Vec<f64>,
 }
 
-impl Exact {
-    /// O(T) for T triangles; extra memory: 32 bytes a neighbour.
+impl ExactLaplacian {
+    /// Computes the weights. O(T) for T triangles; extra memory: 32 bytes per neighbour.
     pub(super) fn new(points: &[DVec3], triangles: &[[u32; 3]], rings: &Rings, job: &Job<'_>) -> Result<Self> {
         let mut normals = alloc::filled(DVec3::ZERO, points.len())?;
         for &triangle in triangles {
@@ -59,7 +58,7 @@ impl Exact {
                 next += 1;
             }
         }
-        Ok(Exact { rows, columns, middle })
+        Ok(ExactLaplacian { rows, columns, middle })
     }
 
     pub(super) fn rows<'a>(&'a self, rings: &'a Rings) -> Rows<'a> {
@@ -71,11 +70,11 @@ impl Exact {
     }
 }
 
-/// Makes of a ring's weights those of the Laplacian.
+/// Replaces the cotangent weights of a ring by weights of the exact Laplacian.
 fn weigh(ring: &mut [(u32, f64)], normal: DVec3, leg: impl Fn(u32) -> DVec3) {
     let squared = |w: u32| leg(w).length_squared();
     let area = ring.iter().map(|&(w, weight)| weight * squared(w)).sum::<f64>() / 4.0;
-    // Exact for the squared distance as it is.
+    // Scale the weights to be exact for the squared distance.
     let scale = if area > 0.0 { 1.0 / area } else { 0.0 };
     ring.iter_mut().for_each(|(_, weight)| *weight *= scale);
     if normal == DVec3::ZERO {
@@ -85,7 +84,7 @@ fn weigh(ring: &mut [(u32, f64)], normal: DVec3, leg: impl Fn(u32) -> DVec3) {
     let Some([x, y]) = axes(ring, normal, flat) else {
         return;
     };
-    // Along its own axes, each in a unit of its own, a ring of needles is a round one.
+    // Along its principal axes, each in its own unit, a ring of needles becomes round.
     let conditions = |w: u32| {
         let (x, y) = (flat(w).dot(x.0) / x.1, flat(w).dot(y.0) / y.1);
         [x, y, x * x / 2.0, y * y / 2.0, x * y]
@@ -110,8 +109,8 @@ fn weigh(ring: &mut [(u32, f64)], normal: DVec3, leg: impl Fn(u32) -> DVec3) {
     }
 }
 
-/// The directions in which a ring is longest and shortest, and its root mean square there; `None` if
-/// it has no size.
+/// Returns the directions in which a ring is longest and shortest, with its root mean square
+/// extent; `None` for a ring of size 0.
 fn axes(ring: &[(u32, f64)], normal: DVec3, flat: impl Fn(u32) -> DVec3) -> Option<[(DVec3, f64); 2]> {
     let (x, y) = normal.any_orthonormal_pair();
     let mean = |u: DVec3, v: DVec3| {

@@ -1,23 +1,26 @@
-//! Thin-plate fairing: some vertices of a triangle patch move so that the patch bends as little as
-//! possible, the rest stay.
+//! Thin-plate fairing: the free vertices of a triangle patch move to minimise its bending energy;
+//! the others are fixed.
 //!
-//! Source: M. Botsch, L. Kobbelt, *An intuitive framework for real-time freeform modeling* (2004),
-//! and P. Liepa, *Filling holes in meshes* (2003), section 5, which both minimise the thin-plate
-//! energy, the sum over vertices of the squared Laplacian. Its minimum solves the bi-Laplacian
-//! equation; with two rows of fixed vertices round the free ones, the rim and the old vertices next
-//! to it, the new surface leaves the old one without a crease. The sum over edges of the squared
-//! differences of Laplacians, whose minimum solves the tri-Laplacian equation, goes on with the
-//! curvature as well, of three rows of fixed vertices. A plate that is bent by itself, whose
-//! energy is the sum of squared differences from Laplacians that are given (M. Botsch, O. Sorkine,
-//! *On linear variational surface deformation methods*, 2008), keeps its shape where it is wide.
+//! Sources: M. Botsch, L. Kobbelt, *An intuitive framework for real-time freeform modeling* (2004),
+//! and P. Liepa, *Filling holes in meshes* (2003), section 5. Both minimise the thin-plate energy,
+//! the sum over vertices of the squared Laplacian. Its minimum solves the bi-Laplacian equation.
+//! Two rows of vertices around the free ones are fixed: the rim, and the old vertices next to it.
+//! The new surface then joins the old one without a crease.
 //!
-//! | file | what it does |
+//! For curvature continuity, the energy is the sum over edges of the squared differences of
+//! Laplacians. Its minimum solves the tri-Laplacian equation, with three rows of fixed vertices.
+//!
+//! A plate may have a rest shape. Its energy is then the sum of squared differences from given
+//! Laplacians (M. Botsch, O. Sorkine, *On linear variational surface deformation methods*, 2008).
+//! It keeps its shape where it is wide.
+//!
+//! | file | task |
 //! |---|---|
 //! | [`rings`](self) | the neighbours of each vertex and their weights |
-//! | [`continuity`](self) | what a plate has in common with what it is clamped to |
+//! | [`continuity`](self) | the continuity of a plate with its surroundings |
 //! | [`exact_laplacian`](self) | a Laplacian that is exact for quadratic functions |
-//! | [`curvature`](self) | how a patch bends, without the detail of its triangles |
-//! | [`plate`](self) | the energy's normal equations, and the new places |
+//! | [`curvature`](self) | the curvature of a patch, without the detail of its triangles |
+//! | [`plate`](self) | the energy's normal equations, and the new positions |
 //! | [`couplings`](self) | the unknowns that the equations couple |
 
 mod continuity;

@@ -1,15 +1,15 @@
 //! The normal equations of the thin-plate energy, and their solution for the free vertices.
 //!
-//! With the Laplacian L of the patch, the vertices C at which it is counted and the Laplacian h
-//! that the plate has by itself, the energy is the sum over C of |L p - h|^2 by area, and that of
-//! the springs of its [`Shape`]; its minimum over the free vertices solves a sparse symmetric
-//! system, factored once for all three coordinates. For continuous curvature the energy is the sum
-//! over the edges between centres of the squared differences of L p - h by their weights: b^T S b
-//! with the stiffness matrix S, b being L p - h.
+//! L is the Laplacian of the patch, C the set of centres, and h the Laplacian of the rest shape.
+//! The energy is the area-weighted sum over C of |L p - h|^2, plus the energy of the springs of the
+//! [`Shape`]. Its minimum over the free vertices solves a sparse symmetric system, which is
+//! factorised once for all three coordinates. For curvature continuity, let b = L p - h. The energy
+//! is b^T S b with the stiffness matrix S: the weighted sum of the squared differences of b over
+//! the edges between centres.
 
 use super::continuity::Continuity;
 use super::couplings::Couplings;
-use super::exact_laplacian::Exact;
+use super::exact_laplacian::ExactLaplacian;
 use super::rings::{Rings, Rows, Weights};
 
 use glam::DVec3;
@@ -20,72 +20,74 @@ use gusset_base::job::Job;
 use gusset_base::sparse::{Symmetric, dissect};
 use gusset_mesh::NONE;
 
-/// Vertices between two progress reports.
+/// Number of vertices between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 12;
 
-/// A patch, and what is to be least.
+/// A patch, and the energy to minimise.
 #[derive(Clone, Copy)]
 pub(crate) struct Plate<'a> {
     pub(crate) triangles: &'a [[u32; 3]],
-    /// True of the vertices that may move.
+    /// True for the vertices that may move.
     pub(crate) free: &'a [bool],
-    /// True of the vertices whose Laplacian is counted. For a crease-free seam these are the free
-    /// vertices and those fixed ones that border on a free one, each with its whole one-ring in
-    /// `triangles`, old neighbours included.
+    /// True for the vertices whose Laplacian enters the energy. For a seam without a crease, these
+    /// are the free vertices and the fixed vertices next to a free one. `triangles` must contain
+    /// the whole one-ring of each, including old neighbours.
     pub(crate) centres: &'a [bool],
     pub(crate) weights: Weights,
-    /// What is least: the Laplacian, or, with [`Weights::Cotangent`] only, its gradient. Then the
-    /// centres are the fixed vertices, too, that border on those.
+    /// The energy: the Laplacian, or, with [`Weights::Cotangent`] only, its gradient. In the latter
+    /// case the fixed vertices next to those above are centres too.
     pub(crate) continuity: Continuity,
-    /// The shape that the plate has by itself; `None`: flat. With [`Weights::Cotangent`] only, and
+    /// The rest shape of the plate; `None` for a flat one. Only with [`Weights::Cotangent`] and
     /// [`Continuity::C1`].
     pub(crate) shape: Option<Shape<'a>>,
-    /// Places of the vertices by which they are put in order, near each other where they are
-    /// neighbours and spread evenly; `None` for the points themselves. The result does not depend
-    /// on it but for round-off; time and memory do.
+    /// Positions by which the vertices are ordered: evenly spread, with neighbours near each other;
+    /// `None` for the points themselves. They affect time and memory, and the result only by
+    /// round-off.
     pub(crate) layout: Option<&'a [DVec3]>,
 }
 
-/// What a plate does where nothing bends it.
+/// The rest shape of a plate.
 #[derive(Clone, Copy)]
 pub(crate) struct Shape<'a> {
-    /// Its Laplacian h, vertex by vertex, in one over the points' unit.
+    /// The Laplacian h at each vertex, in the reciprocal of the points' unit.
     pub(crate) curvature: &'a [DVec3],
-    /// Where it lies, x0.
+    /// The rest positions x0.
     pub(crate) places: &'a [DVec3],
-    /// What is wider than this length r hangs on its place by weak springs, in the points' unit:
-    /// small errors of the curvature would add up across it.
+    /// The length r, in the points' unit. Weak springs tie a wider plate to its rest positions,
+    /// because small errors of the curvature would add up across it.
     pub(crate) reach: f64,
 }
 
-/// Moves the free vertices of a plate to where the sum over all its centres v of A(v) |L x(v) -
-/// h(v)|^2, or, over the edges between centres, that of their weights times the squared difference
-/// of L x - h, and, over the free vertices, of A(v) |x(v) - x0(v)|^2 / r^4 is least, A being the
-/// areas; the others stay. So does a vertex that no chain of free vertices connects with a fixed
-/// one, or whose place the equations do not determine. Without a shape h is 0, and nothing hangs on
-/// springs.
+/// Moves the free vertices of a plate to the minimum of its energy; the others are fixed.
 ///
-/// The displacement y of the free vertices solves A y = -G, G being the gradient of the energy
-/// where they are now and A its second derivative, a sparse matrix that couples vertices with a
-/// centre in common.
+/// The energy is the sum over all centres v of A(v) |L x(v) - h(v)|^2, with the areas A. For
+/// curvature continuity it is the weighted sum over the edges between centres of the squared
+/// difference of L x - h. The springs add the sum over the free vertices of A(v) |x(v) - x0(v)|^2 /
+/// r^4. Without a shape h is 0, and no springs act. A free vertex does not move if no chain of free
+/// vertices connects it with a fixed one, or if the equations do not determine its position.
 ///
-/// For n free vertices of a patch of T triangles O(T + n log n) and the factor: O(n^1.5) operations
-/// and O(n log n) memory, some 10 bytes an entry, on a surface patch; nearly linear on a strip.
+/// The displacement y of the free vertices solves H y = -G. G is the gradient of the energy at the
+/// current positions, and H the second derivative, a sparse matrix that couples vertices with a
+/// common centre.
 ///
+/// For n free vertices of a patch with T triangles: O(T + n log n), plus the factorisation with
+/// O(n^1.5) operations and O(n log n) memory, about 10 bytes per entry, on a surface patch. On a
+/// strip it is nearly linear.
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
 pub(crate) fn thin_plate(points: &mut [DVec3], plate: &Plate<'_>, job: &Job<'_>) -> Result<()> {
     job.step(0.0, "fairing")?;
     let unit = common_unit(&*points);
-    // Relative to one of the points, so that a patch far from the origin loses no digits.
+    // Use coordinates relative to one of the points, to keep precision far from the origin.
     let origin = points.first().map_or(DVec3::ZERO, |&p| p / unit);
     let local = alloc::collect(points.iter().map(|&p| p / unit - origin))?;
     let rings = Rings::new(&local, plate.triangles, plate.weights, &job.part(0.0, 0.15))?;
-    let mut unknowns = anchored(&rings, plate.free)?;
+    let mut unknowns = anchored_vertices(&rings, plate.free)?;
     let couplings = Couplings { rings: &rings, is_row: plate.centres, continuity: plate.continuity };
     dissect(&mut unknowns, plate.layout.unwrap_or(&local), couplings, &job.part(0.15, 0.2))?;
-    let (matrix, mut moves) = equations(&local, &rings, &unknowns, plate, (unit, origin), &job.part(0.2, 0.3))?;
+    let (matrix, mut moves) =
+        assemble_equations(&local, &rings, &unknowns, plate, (unit, origin), &job.part(0.2, 0.3))?;
     matrix.factor(&job.part(0.3, 0.9))?.solve(&mut moves, &job.part(0.9, 1.0))?;
     for (&v, &by) in unknowns.iter().zip(&moves) {
         let place = (local[v as usize] + by + origin) * unit;
@@ -96,8 +98,8 @@ pub(crate) fn thin_plate(points: &mut [DVec3], plate: &Plate<'_>, job: &Job<'_>)
     Ok(())
 }
 
-/// The free vertices that a chain of free vertices connects with a fixed one.
-fn anchored(rings: &Rings, free: &[bool]) -> Result<Vec<u32>> {
+/// Returns the free vertices that a chain of free vertices connects with a fixed one.
+fn anchored_vertices(rings: &Rings, free: &[bool]) -> Result<Vec<u32>> {
     let mut found = alloc::filled(false, free.len())?;
     let mut list = alloc::with_capacity(free.len())?;
     let neighbours = |v: u32| rings.ring(v as usize).iter().map(|&(w, _)| w as usize);
@@ -120,9 +122,10 @@ fn anchored(rings: &Rings, free: &[bool]) -> Result<Vec<u32>> {
     Ok(list)
 }
 
-/// The second derivative of the energy, in the order of `unknowns`, and less its gradient; both
-/// halved. `points` in `unit` from `origin`, the plate's shape as it was given.
-fn equations(
+/// Returns the second derivative of the energy, in the order of `unknowns`, and its negative
+/// gradient, both halved. `points` are in `unit` from `origin`, and the plate's shape is in the
+/// original coordinates.
+fn assemble_equations(
     points: &[DVec3],
     rings: &Rings,
     unknowns: &[u32],
@@ -133,11 +136,11 @@ fn equations(
     let centres = plate.centres;
     let exact = match plate.continuity {
         Continuity::C1 => None,
-        Continuity::C2 => Some(Exact::new(points, plate.triangles, rings, &job.part(0.0, 0.3))?),
+        Continuity::C2 => Some(ExactLaplacian::new(points, plate.triangles, rings, &job.part(0.0, 0.3))?),
     };
     let (rows, columns) =
         exact.as_ref().map_or((rings.rows(), rings.rows()), |exact| (exact.rows(rings), exact.columns(rings)));
-    let bend = bends(points, rings, rows, plate, unit)?;
+    let bend = bend_derivatives(points, rings, rows, plate, unit)?;
     let mut place = alloc::filled(NONE, points.len())?;
     for (k, &v) in unknowns.iter().enumerate() {
         place[v as usize] = k as u32;
@@ -150,7 +153,7 @@ fn equations(
     };
     matrix.start.push(0);
     let mut moves = alloc::with_capacity(n)?;
-    let (mut shares, mut column) = (Sums::new(points.len())?, Sums::new(n)?);
+    let (mut shares, mut column) = (SparseSums::new(points.len())?, SparseSums::new(n)?);
     for (k, &v) in unknowns.iter().enumerate() {
         assembly.step_every(REPORT_INTERVAL, k + 1, n, "fairing")?;
         let mut gradient = DVec3::ZERO;
@@ -169,13 +172,13 @@ fn equations(
         for (c, share) in shares.drain() {
             for (w, weight) in rows.row(c) {
                 let i = place[w] as usize;
-                // Not if it is no unknown.
+                // Skip vertices that are not unknowns.
                 if i <= k {
                     column.add(i, share * weight)?;
                 }
             }
         }
-        // A spring of strength area / reach^4.
+        // A spring with the strength area / reach^4.
         let spring = |own: Shape<'_>| {
             let squared = (own.reach / unit) * (own.reach / unit);
             let strength = 1.0 / (squared * squared * rings.scale(v as usize));
@@ -198,9 +201,15 @@ fn equations(
     Ok((matrix, moves))
 }
 
-/// The derivative of the halved energy by the row of the Laplacian at each centre, as the rows have
-/// it: L p - h, or, where it is the gradient that is least, the weighted sum of its differences.
-fn bends(points: &[DVec3], rings: &Rings, rows: Rows<'_>, plate: &Plate<'_>, unit: f64) -> Result<Vec<DVec3>> {
+/// Returns the derivative of the halved energy with respect to the row of the Laplacian at each
+/// centre: L p - h, or for curvature continuity the weighted sum of its differences.
+fn bend_derivatives(
+    points: &[DVec3],
+    rings: &Rings,
+    rows: Rows<'_>,
+    plate: &Plate<'_>,
+    unit: f64,
+) -> Result<Vec<DVec3>> {
     let centres = plate.centres;
     let scale = |c: usize| if plate.continuity == Continuity::C1 { rings.scale(c) } else { 1.0 };
     let mut bend = alloc::filled(DVec3::ZERO, points.len())?;
@@ -216,22 +225,22 @@ fn bends(points: &[DVec3], rings: &Rings, rows: Rows<'_>, plate: &Plate<'_>, uni
     alloc::collect((0..points.len()).map(|c| if centres[c] { difference(c) } else { DVec3::ZERO }))
 }
 
-/// The edges from a centre to others, and their weights.
+/// Returns the edges from a centre to other centres, and their weights.
 fn edges(rings: &Rings, centres: &[bool], c: usize) -> impl Iterator<Item = (usize, f64)> {
     rings.ring(c).iter().map(|&(w, weight)| (w as usize, weight)).filter(|&(w, _)| centres[w])
 }
 
-/// Sums by number, most of them of nothing.
-struct Sums {
+/// Sparse sums by index.
+struct SparseSums {
     sums: Vec<f64>,
     has_terms: Vec<bool>,
     numbers: Vec<u32>,
 }
 
-impl Sums {
+impl SparseSums {
     fn new(count: usize) -> Result<Self> {
         let (sums, has_terms) = (alloc::filled(0.0, count)?, alloc::filled(false, count)?);
-        Ok(Sums { sums, has_terms, numbers: Vec::new() })
+        Ok(SparseSums { sums, has_terms, numbers: Vec::new() })
     }
 
     fn add(&mut self, number: usize, value: f64) -> Result<()> {
@@ -246,7 +255,8 @@ impl Sums {
         self.numbers.len()
     }
 
-    /// Those that have terms, in the order of their first ones; then none have.
+    /// Returns the indices with terms, in the order of their first terms, and their sums. Resets
+    /// all sums.
     fn drain(&mut self) -> impl Iterator<Item = (usize, f64)> {
         let (sums, has_terms) = (&mut self.sums, &mut self.has_terms);
         self.numbers.drain(..).map(|number| {

@@ -1,5 +1,6 @@
-//! One-rings of a patch: the neighbours of each vertex and their weights, uniform or cotangents
-//! (Pinkall and Polthier 1993), clamped so that slivers neither dominate nor detach a vertex.
+//! One-rings of a patch: the neighbours of each vertex and their weights. The weights are uniform
+//! or cotangents (Pinkall and Polthier 1993), clamped so that slivers do not dominate, and do not
+//! detach a vertex.
 
 use glam::DVec3;
 use gusset_base::alloc;
@@ -9,48 +10,48 @@ use gusset_base::job::Job;
 use gusset_base::sort;
 use gusset_base::sort::Buckets;
 
-/// The discrete Laplacian L x(v) = s(v) sum over neighbours w of weight(v, w) (x(w) - x(v)).
+/// The weights of the discrete Laplacian L x(v) = s(v) sum over neighbours w of weight(v, w) (x(w)
+/// - x(v)).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Weights {
-    /// Every neighbour weighs the same. The result depends on the connectivity alone, and vertices
+    /// All neighbours have equal weights. The result depends only on the connectivity, and vertices
     /// spread evenly.
     Uniform,
-    /// The cotangent weights of the triangles as they are, over the vertex's share of the area: the
-    /// Laplacian of the surface. The shape of the result hardly depends on the triangulation.
+    /// The cotangent weights of the triangles, divided by the vertex's area: the Laplacian of the
+    /// surface. The result hardly depends on the triangulation.
     Cotangent,
 }
 
-/// The neighbours of every vertex, ascending, with weights that are the same both ways, and each
-/// vertex's scale.
+/// The neighbours of every vertex, ascending, with symmetric weights, and the scale of each vertex.
 pub(super) struct Rings {
     start: Vec<u32>,
     entries: Vec<(u32, f64)>,
-    /// Less the sum of the weights round a vertex.
+    /// The negative sum of the weights around each vertex.
     middle: Vec<f64>,
-    /// The square of s(v) times the vertex's share of the area.
+    /// The square of s(v), times the vertex's area.
     scale: Vec<f64>,
 }
 
-/// Cotangents are kept within these bounds, those of 2.9 and 177.1 degrees: slivers must not
-/// outweigh all others.
+/// Cotangents are clamped to this, for angles of 2.9 and 177.1 degrees, so that slivers do not
+/// dominate.
 const MAX_COTANGENT: f64 = 20.0;
-/// An edge weighs at least this much, so that no vertex is let go by its neighbours.
+/// Smallest weight of an edge, so that no vertex is detached from its neighbours.
 const MIN_COTANGENT: f64 = 1e-3;
-/// Areas below this part of the mean are taken to be this part.
+/// Smallest area of a vertex, relative to the mean.
 const MIN_AREA_SHARE: f64 = 1e-6;
-/// Vertices between two progress reports.
+/// Number of vertices between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 15;
 
 impl Rings {
-    /// O(T) for T triangles, which may repeat vertices or be without area; extra memory: about 100
-    /// bytes a triangle.
+    /// Builds the rings. O(T) for T triangles, which may be degenerate; extra memory: about 100
+    /// bytes per triangle.
     pub(super) fn new(points: &[DVec3], triangles: &[[u32; 3]], weights: Weights, job: &Job<'_>) -> Result<Self> {
         let proper = triangles.iter().filter(|[a, b, c]| a != b && b != c && c != a);
         let double_area = |triangle: &[u32; 3]| {
             let [a, b, c] = triangle.map(|v| points[v as usize]);
             double_area(a, b, c)
         };
-        // Once for both passes of the buckets.
+        // Computed once for both passes of the buckets.
         let cotangents = alloc::gather(proper.clone().map(|triangle| {
             let [a, b, c] = triangle.map(|v| points[v as usize]);
             let double_area = double_area(triangle);
@@ -72,14 +73,14 @@ impl Rings {
         Ok(rings)
     }
 
-    /// Makes one entry of the two or more that an edge has, with the sum of their weights.
+    /// Merges the entries of each edge, and adds their weights.
     fn merge(&mut self, job: &Job<'_>) -> Result<()> {
         let mut kept = 0;
         let mut from = 0;
         for v in 1..self.start.len() {
             job.step_every(REPORT_INTERVAL, v, self.start.len(), "fairing")?;
             let to = self.start[v] as usize;
-            // By weight too, so that the sum does not depend on the order of the triangles.
+            // Sort by weight too, so that the sum does not depend on the order of the triangles.
             sort::stable(&mut self.entries[from..to], &|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
             let first = kept;
             for i in from..to {
@@ -98,7 +99,7 @@ impl Rings {
         Ok(())
     }
 
-    /// Replaces the cotangents by the weights asked for, and the areas by scales.
+    /// Replaces the cotangents by the chosen weights, and the areas by scales.
     fn weigh(&mut self, count: usize, weights: Weights) -> Result<()> {
         let used = self.scale.iter().filter(|&&area| area > 0.0).count().max(1) as f64;
         let least_area = (MIN_AREA_SHARE * self.scale.iter().sum::<f64>() / used).max(f64::MIN_POSITIVE);
@@ -122,17 +123,17 @@ impl Rings {
         Ok(())
     }
 
-    /// The neighbours of `v` and their weights.
+    /// Returns the neighbours of `v` and their weights.
     pub(super) fn ring(&self, v: usize) -> &[(u32, f64)] {
         &self.entries[self.start[v] as usize..self.start[v + 1] as usize]
     }
 
-    /// The rows of L before scaling. They are its columns too.
+    /// Returns the rows of L before scaling, which are its columns too.
     pub(super) fn rows(&self) -> Rows<'_> {
         Rows { start: &self.start, entries: &self.entries, middle: &self.middle }
     }
 
-    /// What the square of row `v` is multiplied by in the energy.
+    /// Returns the factor of the square of row `v` in the energy.
     pub(super) fn scale(&self, v: usize) -> f64 {
         self.scale[v]
     }
@@ -147,27 +148,27 @@ pub(super) struct Rows<'a> {
 }
 
 impl<'a> Rows<'a> {
-    /// With the neighbours of rings and other entries.
+    /// Creates rows with the neighbours of `rings` and other entries.
     pub(super) fn new(rings: &'a Rings, entries: &'a [(u32, f64)], middle: &'a [f64]) -> Self {
         Rows { start: &rings.start, entries, middle }
     }
 
-    /// The entry of a row in the column of a neighbour.
+    /// Returns the entry of a row in the column of a neighbour.
     pub(super) fn entry(self, v: usize, w: u32) -> f64 {
         let ring = &self.entries[self.start[v] as usize..self.start[v + 1] as usize];
         ring.binary_search_by_key(&w, |&(w, _)| w).map_or(0.0, |at| ring[at].1)
     }
 
-    /// The row of a vertex, itself first.
+    /// Returns the row of a vertex, the vertex itself first.
     pub(super) fn row(self, v: usize) -> impl Iterator<Item = (usize, f64)> + 'a {
         let ring = &self.entries[self.start[v] as usize..self.start[v + 1] as usize];
         std::iter::once((v, self.middle[v])).chain(ring.iter().map(|&(w, weight)| (w as usize, weight)))
     }
 }
 
-/// The cotangent of an angle from the product and the cross product of its legs, kept within
-/// bounds.
+/// Returns the clamped cotangent of an angle from the dot product and the cross product of its
+/// legs.
 fn cotangent(dot: f64, cross: f64) -> f64 {
-    // Not a quotient where the cross product is small or 0.
+    // Avoid the quotient if the cross product is small or 0.
     if dot.abs() >= MAX_COTANGENT * cross { MAX_COTANGENT.copysign(dot) } else { dot / cross }
 }

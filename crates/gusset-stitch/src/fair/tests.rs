@@ -1,6 +1,6 @@
-//! Thin-plate fairing against known shapes and equations.
+//! Tests thin-plate fairing with known shapes and equations.
 
-use super::exact_laplacian::Exact;
+use super::exact_laplacian::ExactLaplacian;
 use super::rings::Rings;
 use super::{Continuity, Plate, Shape, Weights, mean_curvature, thin_plate};
 use glam::{DQuat, DVec3};
@@ -8,9 +8,9 @@ use gusset_base::Job;
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
-const ALL: [Weights; 2] = [Weights::Uniform, Weights::Cotangent];
+const ALL_WEIGHTS: [Weights; 2] = [Weights::Uniform, Weights::Cotangent];
 
-/// A patch with the vertices that may move.
+/// A patch with free vertices.
 #[derive(Clone)]
 struct Patch {
     points: Vec<DVec3>,
@@ -19,7 +19,7 @@ struct Patch {
 }
 
 impl Patch {
-    /// Free vertices, and those beside them that are not on the patch's own border.
+    /// Returns the free vertices, and their neighbours that are not on the patch's own border.
     fn centres(&self) -> Vec<bool> {
         let edges: BTreeSet<[u32; 2]> = self.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
         let mut centres = self.free.clone();
@@ -45,15 +45,15 @@ impl Patch {
     fn bend(&mut self, centres: &[bool], weights: Weights, curvature: Option<&[DVec3]>) {
         let (triangles, free) = (&self.triangles, &self.free);
         let places = self.points.clone();
-        // Far beyond the patch: the springs are felt nowhere.
+        // The reach is far beyond the patch, so that the springs do not matter.
         let shape = curvature.map(|curvature| Shape { curvature, places: &places, reach: 1e9 });
         let plate = Plate { triangles, free, centres, weights, continuity: Continuity::C1, shape, layout: None };
         thin_plate(&mut self.points, &plate, &Job::default()).unwrap();
     }
 }
 
-/// A disk of radius 1 in the plane z = 0: a middle vertex and `rings` rings, ring i of 6 i
-/// vertices; all but the last two rings are free.
+/// Returns a disk of radius 1 in the plane z = 0, with a middle vertex and `rings` rings of 6 i
+/// vertices. All vertices except the last two rings are free.
 fn disk(rings: u32) -> Patch {
     let first = |i: u32| if i == 0 { 0 } else { 3 * i * (i - 1) + 1 };
     let vertex = |i: u32, k: u32| if i == 0 { 0 } else { first(i) + k % (6 * i) };
@@ -77,7 +77,7 @@ fn disk(rings: u32) -> Patch {
     Patch { points, triangles, free }
 }
 
-/// A reproducible number from -1 to 1.
+/// Returns a reproducible number from -1 to 1.
 fn noise(i: usize) -> f64 {
     ((i as f64 * 12.9898).sin() * 43758.5453).fract()
 }
@@ -86,7 +86,7 @@ fn noise(i: usize) -> f64 {
 fn a_plane_stays_a_plane() {
     let turn = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 1.0);
     let away = DVec3::new(100.0, -200.0, 50.0);
-    for weights in ALL {
+    for weights in ALL_WEIGHTS {
         let mut patch = disk(8);
         for (i, p) in patch.points.iter_mut().enumerate() {
             *p += DVec3::new(noise(i), noise(i + 1000), 0.0) * 0.03;
@@ -118,8 +118,8 @@ fn fixed_vertices_keep_their_bits_and_free_ones_forget_where_they_were() {
     }
 }
 
-/// On a nearly flat disk the energy with cotangent weights is the thin plate's, and biharmonic
-/// functions minimise it: second order in the length of the edges.
+/// On a nearly flat disk, the energy with cotangent weights is the thin plate's. Biharmonic
+/// functions minimise it, with an error of second order in the edge length.
 #[test]
 fn biharmonic_functions_are_found() {
     let height = |p: DVec3| 1e-4 * (p.length_squared() * (p.x + 1.0) + p.x * p.y);
@@ -135,11 +135,11 @@ fn biharmonic_functions_are_found() {
     assert!(errors[0] < 0.03 && errors[1] < errors[0] / 3.0 && errors[2] < errors[1] / 3.0, "{errors:?}");
 }
 
-/// Over a cap of radius R of the unit sphere the biharmonic surface with the sphere's height and
-/// slope at the rim is R^4 / 8 off at the most.
+/// The cap has radius R on the unit sphere. The biharmonic surface with the sphere's height and
+/// slope at the rim deviates by at most R^4 / 8.
 #[test]
 fn a_hole_in_a_sphere_is_domed() {
-    for weights in ALL {
+    for weights in ALL_WEIGHTS {
         for radius in [0.2, 0.4] {
             let mut patch = disk(16);
             let on_sphere = |p: DVec3| DVec3::new(p.x, p.y, (1.0 - p.x * p.x - p.y * p.y).sqrt());
@@ -150,7 +150,7 @@ fn a_hole_in_a_sphere_is_domed() {
             }
             patch.fair(weights);
             let error = patch.points.iter().map(|p| (p.length() - 1.0).abs()).fold(0.0, f64::max);
-            // The other weights take the disk's six corners for bends: 5 % of the dome's height.
+            // Uniform weights mistake the disk's six corners for bends: 5 % of the dome's height.
             let bound =
                 if weights == Weights::Cotangent { 1.2 * radius.powi(4) / 8.0 } else { 0.025 * radius * radius };
             assert!(error < bound, "{weights:?}: {error} at {radius}");
@@ -158,8 +158,8 @@ fn a_hole_in_a_sphere_is_domed() {
     }
 }
 
-/// A tube of `around` vertices a row and `rows` rows, of which all but the outer two on each side
-/// are free.
+/// Returns a tube of `rows` rows with `around` vertices each. All rows except the outer two on each
+/// side are free.
 fn tube(around: u32, rows: u32) -> Patch {
     let (mut points, mut triangles, mut free) = (Vec::new(), Vec::new(), Vec::new());
     for row in 0..rows {
@@ -179,7 +179,7 @@ fn tube(around: u32, rows: u32) -> Patch {
 
 #[test]
 fn a_gap_in_a_cylinder_gets_its_waist_back() {
-    for weights in ALL {
+    for weights in ALL_WEIGHTS {
         let mut patch = tube(60, 9);
         for (v, p) in patch.points.iter_mut().enumerate() {
             if patch.free[v] {
@@ -195,8 +195,8 @@ fn a_gap_in_a_cylinder_gets_its_waist_back() {
 
 #[test]
 fn symmetric_input_gives_symmetric_output() {
-    // The disk is symmetric under a sixth of a turn, with the vertices of each ring renumbered.
-    for weights in ALL {
+    // The disk is symmetric under a sixth of a turn, up to the numbering of each ring.
+    for weights in ALL_WEIGHTS {
         let mut patch = disk(7);
         for p in &mut patch.points {
             let angle = p.y.atan2(p.x);
@@ -211,8 +211,8 @@ fn symmetric_input_gives_symmetric_output() {
     }
 }
 
-/// At the minimum no vertex can be moved to gain anything. The energy is computed here in its own
-/// way.
+/// At the minimum, moving a vertex cannot reduce the energy. The test computes the energy in its
+/// own way.
 #[test]
 fn the_energy_is_least() {
     let mut patch = disk(6);
@@ -249,8 +249,9 @@ fn the_energy_is_least() {
 }
 
 #[test]
-fn a_vertex_among_fixed_ones() {
-    // With uniform weights and itself as only centre, the middle of its neighbours.
+fn a_single_free_vertex_moves_to_the_mean() {
+    // With uniform weights and itself as the only centre, a vertex moves to the mean of its
+    // neighbours.
     let mut patch = disk(1);
     patch.free = vec![true, false, false, false, false, false, false];
     patch.points[0] = DVec3::new(0.3, 0.2, 5.0);
@@ -261,21 +262,21 @@ fn a_vertex_among_fixed_ones() {
 
 #[test]
 fn vertices_that_nothing_determines_stay() {
-    for weights in ALL {
-        // All free: the energy is 0 wherever the patch shrinks to a point.
+    for weights in ALL_WEIGHTS {
+        // All vertices are free: the energy is 0 wherever the patch shrinks to a point.
         let mut patch = disk(4);
         patch.free.fill(true);
         let before = patch.points.clone();
         patch.fair(weights);
         assert_eq!(patch.points, before);
 
-        // No centre, no energy.
+        // Without centres the energy is 0.
         let mut patch = disk(4);
         let none = vec![false; patch.points.len()];
         patch.fair_at(&none, weights);
         assert_eq!(patch.points, before);
 
-        // A second disk far away, loose vertices, and triangles that are none.
+        // Add a second disk far away, loose vertices, and degenerate triangles.
         let mut patch = disk(4);
         let count = patch.points.len() as u32;
         patch.points.extend(before.iter().map(|&p| p + DVec3::X * 10.0));
@@ -293,9 +294,9 @@ fn vertices_that_nothing_determines_stay() {
 }
 
 #[test]
-fn equations_fewer_than_unknowns() {
+fn one_centre_moves_one_vertex() {
     // One centre among seven free vertices: one of them makes the sum 0, and the others stay.
-    for weights in ALL {
+    for weights in ALL_WEIGHTS {
         let mut patch = disk(3);
         for (i, p) in patch.points.iter_mut().enumerate() {
             *p += DVec3::new(noise(i), noise(i + 1000), noise(i + 2000)) * 0.1;
@@ -311,11 +312,11 @@ fn equations_fewer_than_unknowns() {
 
 #[test]
 fn degenerate_patches_do_no_harm() {
-    for weights in ALL {
+    for weights in ALL_WEIGHTS {
         for size in [0.0, 1e-300, 1e300] {
             let mut patch = disk(4);
             patch.points.iter_mut().for_each(|p| *p *= size);
-            // Half of the free ones coincide.
+            // Half of the free vertices coincide.
             for v in (0..10).filter(|v| v % 2 == 0) {
                 patch.points[v] = patch.points[0];
             }
@@ -329,8 +330,8 @@ fn degenerate_patches_do_no_harm() {
     assert_eq!(nothing, Ok(()));
 }
 
-/// A ball's cap whose free vertices were moved comes back if the plate's own curvature is the
-/// ball's, in any unit; a flat plate stays below it.
+/// A perturbed cap of a ball is restored if the rest curvature is the ball's, in any unit. A flat
+/// plate stays below it.
 #[test]
 fn a_bent_plate_has_its_own_shape() {
     const RADIUS: f64 = 1.2;
@@ -341,7 +342,7 @@ fn a_bent_plate_has_its_own_shape() {
             *p *= size;
         }
         let ball = patch.points.clone();
-        // Twice the mean curvature, towards the middle.
+        // Twice the mean curvature, towards the centre.
         let curvature: Vec<DVec3> = ball.iter().map(|p| -2.0 * p / (RADIUS * size).powi(2)).collect();
         let farthest =
             |patch: &Patch| patch.points.iter().map(|p| (p.length() / (RADIUS * size) - 1.0).abs()).fold(0.0, f64::max);
@@ -357,13 +358,13 @@ fn a_bent_plate_has_its_own_shape() {
     }
 }
 
-/// Of a ball of radius 2: 1, towards the middle, at every vertex, its rim included; and the ridges
-/// of noise are averaged out.
+/// For a ball of radius 2, the mean curvature is 1 towards the centre at every vertex, including
+/// the rim; and ridges of noise are smoothed out.
 #[test]
-fn mean_curvature_of_a_ball() {
+fn mean_curvature_of_a_ball_is_its_inverse_radius() {
     let mut patch = disk(12);
     patch.points.iter_mut().for_each(|p| p.z = (4.0 - p.x * p.x - p.y * p.y).sqrt());
-    // The rim first.
+    // Put the rim first.
     patch.points.reverse();
     let last = patch.points.len() as u32 - 1;
     patch.triangles.iter_mut().flatten().for_each(|v| *v = last - *v);
@@ -380,9 +381,9 @@ fn mean_curvature_of_a_ball() {
     assert!(smooth < rough / 2.0 && smooth < 0.3, "{rough} {smooth}");
 }
 
-/// The function with Laplacians of all orders but the third, on a nearly flat disk of irregular
-/// triangles: with continuous curvature it is found, better on finer triangles, and far better than
-/// without.
+/// A function with nonzero Laplacians of all orders except the third, on a nearly flat disk of
+/// irregular triangles. With curvature continuity the error decreases on finer triangles, and is
+/// far smaller than with tangent continuity.
 #[test]
 fn triharmonic_functions_are_found() {
     let height = |p: DVec3| 1e-4 * p.length_squared() * (p.length_squared() * (p.x + 1.0) + p.x * p.y + p.y + 1.0);
@@ -410,9 +411,9 @@ fn triharmonic_functions_are_found() {
     assert!(errors[2] < error(32, Continuity::C1) / 10.0, "{errors:?} {}", error(32, Continuity::C1));
 }
 
-/// Quadratic functions have their Laplacians, on triangles many times as long as they are wide, too.
+/// The Laplacians of quadratic functions are exact, also on triangles much longer than wide.
 #[test]
-fn laplacians_of_quadratic_functions() {
+fn laplacians_of_quadratic_functions_are_exact() {
     type Function = fn(DVec3) -> f64;
     let functions: [(Function, f64); 3] = [(|p| p.x * p.x, 2.0), (|p| p.y * p.y, 2.0), (|p| p.x * p.y, 0.0)];
     for (stretch, most) in [(1.0, 0.01), (3.0, 0.02), (10.0, 0.05), (0.05, 0.25)] {
@@ -423,7 +424,7 @@ fn laplacians_of_quadratic_functions() {
         }
         let (points, triangles) = (&patch.points, &patch.triangles);
         let rings = Rings::new(points, triangles, Weights::Cotangent, &Job::default()).unwrap();
-        let exact = Exact::new(points, triangles, &rings, &Job::default()).unwrap();
+        let exact = ExactLaplacian::new(points, triangles, &rings, &Job::default()).unwrap();
         let inner: Vec<usize> = (0..points.len()).filter(|&v| patch.free[v]).collect();
         for (k, (f, expected)) in functions.iter().enumerate() {
             // In the plane of each vertex.
@@ -432,14 +433,14 @@ fn laplacians_of_quadratic_functions() {
                 row.map(|(w, weight)| weight * f(points[w] - points[v])).sum::<f64>() - expected
             };
             let square: f64 = inner.iter().map(laplacian).map(|error| error * error).sum();
-            // The mixed one is of the size of both.
+            // The mixed function is of the size of both.
             let error = (square / inner.len() as f64).sqrt() * if k == 2 { stretch.min(1.0 / stretch) } else { 1.0 };
             assert!(error < most, "{k}, stretched {stretch} times: {error}");
         }
     }
 }
 
-/// Where nothing bends nothing will, however irregular the triangles.
+/// A plane stays a plane with irregular triangles.
 #[test]
 fn a_plane_stays_a_plane_with_its_curvature() {
     let mut patch = disk(9);

@@ -1,10 +1,10 @@
-//! The loops that cost less closed together than apart.
+//! Grouping of loops that cost less to close with one patch than with one patch each.
 //!
-//! Agglomeration: at first each loop is a group of its own. Loops near each other are partners if
-//! few of their vertices say that they may gain by a common patch. Groups with partners are closed
-//! together on trial; of all pairs of groups the one that gains most, as a part of what it costs
-//! apart, becomes one group, and is tried with its partners in turn, until no pair gains. Both costs
-//! of a pair are those of all its loops, from one origin in one unit.
+//! Agglomerative clustering: each loop starts as a group of its own. Two nearby loops are partners
+//! if a trial on a few of their vertices predicts a gain from a common patch. Pairs of groups with
+//! partners are then triangulated together. The pair with the largest relative gain is merged, and
+//! the merged group is tried with its partners in turn, until no pair gains. Both costs of a pair
+//! cover all its loops, with one origin and one unit.
 
 use super::choose::Candidate;
 use super::fill_request::Weight;
@@ -24,62 +24,62 @@ use gusset_base::sort;
 use gusset_mesh::MeshView;
 use std::cmp::Ordering;
 
-/// Loops are near each other if their boxes meet, each larger on all sides by this part of its
-/// diagonal.
-const ROOM: f64 = 0.5;
-/// A loop is tried with so many others at the most, and with those that are to be tried with it, at
-/// most [`MAX_LOOPS`]; a group with so many others: the nearest ones.
+/// Each loop's box is enlarged on all sides by this fraction of its diagonal. Two loops are near
+/// each other if their enlarged boxes meet.
+const BOX_MARGIN: f64 = 0.5;
+/// Largest number of nearest loops, or nearest groups, that a loop or group is tried with.
 const MAX_NEIGHBOURS: usize = 4;
 /// Loops between two progress reports.
 const REPORT_INTERVAL: usize = 64;
-/// No more loops than these get one patch.
+/// Largest number of loops that one patch closes, and of loops that propose one loop as a partner.
 const MAX_LOOPS: usize = 16;
-/// Trials in all; one of short loops takes up to 50 ms. A note says if pairs were left.
+/// Largest number of trials in all; a trial of short loops takes up to 50 ms. A note reports that
+/// pairs remain untried.
 const MAX_TRIALS: usize = 256;
 
-/// `None` if none were found.
+/// The triangulation of a group; `None` if none was found.
 type Triangles = Option<Vec<[u32; 3]>>;
 
-/// Loops that are closed together.
+/// Loops that one patch closes.
 struct Group {
-    /// Their numbers in the search.
+    /// Indices into [`GroupSearch::loops`].
     loops: Vec<usize>,
     triangles: Triangles,
 }
 
-/// Two groups that cost less together.
+/// Two groups that cost less together than apart.
 struct Pair {
-    /// By what part of their cost apart.
+    /// The relative gain: (cost apart - cost together) / cost apart.
     gain: f64,
     groups: [usize; 2],
     triangles: Vec<[u32; 3]>,
 }
 
-/// Of the boxes round two loops: between them, and between their centres.
+/// Distance between the boxes of two loops, then distance between the centres of these boxes.
 type Distance = [f64; 2];
 
-/// Two loops or groups, and how far they are from each other.
+/// Two loops or groups, and their distance.
 type Near = ([usize; 2], Distance);
 
-struct Search<'a> {
+struct GroupSearch<'a> {
     surroundings: Surroundings<'a>,
     loops: Vec<&'a [u32]>,
-    /// Of each loop those that it may belong together with, and how far they are.
+    /// For each loop, the loops that may share a patch with it, and their distances.
     partners: Vec<Vec<(usize, Distance)>>,
     weight: Weight,
-    /// `None` of a group that is a part of a later one.
+    /// `None` for a group that was merged into a later one.
     groups: Vec<Option<Group>>,
     /// The group of each loop.
     owner: Vec<usize>,
-    /// How many trials there may still be; `None` if one more was wanted.
+    /// The remaining number of trials; `None` once a trial was refused.
     trials: Option<usize>,
 }
 
-/// Joins groups of single candidates.
+/// Merges groups of single candidates into groups that one patch closes.
 ///
-/// At most 4 trials of few vertices a loop, and 8 of all, 256 for all loops: 4 of each loop, and 4 of
-/// each group that is made of two. A trial is a search of the loops together, of at most 16.
-pub(super) fn cheapest(
+/// The search makes at most 256 trials for all loops. A loop or a merged group is tried with at
+/// most 4 others. Each trial triangulates at most 16 loops together.
+pub(super) fn group_by_cost(
     mesh: &MeshView<'_>,
     passes: &[u8],
     candidates: &[Candidate],
@@ -94,9 +94,10 @@ pub(super) fn cheapest(
     let surroundings = Surroundings::new(mesh, passes, &near, Continuity::C1, &job.part(0.05, 0.1))?;
     let partners = alloc::collect(loops.iter().map(|_| Vec::new()))?;
     let owner = alloc::collect(0..loops.len())?;
-    // All that there can be.
+    // Each merge adds one group, and there are fewer merges than loops.
     let joined = alloc::with_capacity(2 * loops.len())?;
-    let mut search = Search { surroundings, loops, partners, weight, groups: joined, owner, trials: Some(MAX_TRIALS) };
+    let mut search =
+        GroupSearch { surroundings, loops, partners, weight, groups: joined, owner, trials: Some(MAX_TRIALS) };
     search.find_partners(&boxes, &job.part(0.1, 0.3))?;
     search.run(&job.part(0.3, 1.0))?;
     let joined = search.groups.iter().flatten().map(|group| {
@@ -109,9 +110,9 @@ pub(super) fn cheapest(
     Ok(joined)
 }
 
-impl Search<'_> {
+impl GroupSearch<'_> {
     fn find_partners(&mut self, boxes: &[Aabb], job: &Job<'_>) -> Result<()> {
-        let near = near(boxes, &job.part(0.0, 0.2))?;
+        let near = nearby_pairs(boxes, &job.part(0.0, 0.2))?;
         let job = job.part(0.2, 1.0);
         for (at, &([i, k], distance)) in near.iter().enumerate() {
             job.step(at as f64 / near.len() as f64, "triangulating holes")?;
@@ -135,15 +136,15 @@ impl Search<'_> {
             let found = if self.partners[k].is_empty() {
                 None
             } else {
-                self.triangulated(&alone, &job.part(0.0, 0.2).share(k, count))?
+                self.triangulate(&alone, &job.part(0.0, 0.2).share(k, count))?
             };
             let triangles = found.and_then(|(_, triangles)| triangles);
             self.groups.push(Some(Group { loops: alone, triangles }));
         }
         for k in 0..count {
-            alloc::append(&mut near, &self.near(k)?)?;
+            alloc::append(&mut near, &self.pairs_to_try(k)?)?;
         }
-        // The nearest ones first, as far as trials go.
+        // Spend the trials on the nearest pairs first.
         near.sort_unstable_by(nearest_first);
         near.dedup();
         let mut pairs = Vec::new();
@@ -157,7 +158,7 @@ impl Search<'_> {
             loops.iter().for_each(|&k| self.owner[k] = new);
             self.groups.push(Some(Group { loops, triangles: Some(triangles) }));
             pairs.retain(|pair| pair.groups.iter().all(|&group| self.groups[group].is_some()));
-            self.try_pairs(&self.near(new)?, &mut pairs, &job.part(0.6, 1.0).share(new - count, count))?;
+            self.try_pairs(&self.pairs_to_try(new)?, &mut pairs, &job.part(0.6, 1.0).share(new - count, count))?;
         }
         Ok(())
     }
@@ -166,8 +167,8 @@ impl Search<'_> {
         self.groups[group].as_ref().map_or(&[], |group| &group.loops)
     }
 
-    /// The pairs of a group with those it is to be tried with, the nearest first.
-    fn near(&self, group: usize) -> Result<Vec<Near>> {
+    /// Returns the pairs of a group with its partner groups, nearest first.
+    fn pairs_to_try(&self, group: usize) -> Result<Vec<Near>> {
         let own = self.loops_of(group);
         let mut found = Vec::new();
         for &(k, distance) in own.iter().flat_map(|&k| &self.partners[k]) {
@@ -184,7 +185,7 @@ impl Search<'_> {
         alloc::collect(found.iter().map(pair))
     }
 
-    /// Adds those pairs that gain.
+    /// Adds the pairs that gain.
     fn try_pairs(&mut self, near: &[Near], pairs: &mut Vec<Pair>, job: &Job<'_>) -> Result<()> {
         for (at, &(groups, _)) in near.iter().enumerate() {
             let Some(left) = self.trials else {
@@ -195,21 +196,21 @@ impl Search<'_> {
                 job.note("there are too many loops near each other: some were not tried together");
                 break;
             }
-            if let Some(pair) = self.trial(groups, &job.share(at, near.len()))? {
+            if let Some(pair) = self.try_together(groups, &job.share(at, near.len()))? {
                 alloc::push(pairs, pair)?;
             }
         }
         Ok(())
     }
 
-    /// Two groups together; `None` if that gains nothing. If one of them cannot be closed by itself,
-    /// it gains all.
-    fn trial(&mut self, groups: [usize; 2], job: &Job<'_>) -> Result<Option<Pair>> {
+    /// Triangulates two groups together; `None` if that gains nothing. If one of the groups lacks a
+    /// triangulation of its own, the gain is 1.
+    fn try_together(&mut self, groups: [usize; 2], job: &Job<'_>) -> Result<Option<Pair>> {
         let mut loops = Vec::new();
         for group in groups {
             alloc::append(&mut loops, self.loops_of(group))?;
         }
-        let Some((rim, Some(triangles))) = self.triangulated(&loops, job)? else {
+        let Some((rim, Some(triangles))) = self.triangulate(&loops, job)? else {
             return Ok(None);
         };
         let [one, other] = groups.map(|group| self.groups[group].as_ref().and_then(|group| group.triangles.as_deref()));
@@ -225,8 +226,8 @@ impl Search<'_> {
         Ok((gain > MIN_GAIN).then_some(Pair { gain, groups, triangles }))
     }
 
-    /// Loops closed together; `None` if two of them share a vertex.
-    fn triangulated(&mut self, loops: &[usize], job: &Job<'_>) -> Result<Option<(Rim, Triangles)>> {
+    /// Triangulates loops together; `None` if two of them share a vertex.
+    fn triangulate(&mut self, loops: &[usize], job: &Job<'_>) -> Result<Option<(Rim, Triangles)>> {
         let Some((rim, names)) = self.surroundings.rim(loops.iter().map(|&k| self.loops[k]), job)? else {
             return Ok(None);
         };
@@ -236,7 +237,7 @@ impl Search<'_> {
     }
 }
 
-/// The pair that gains most, of equals that of the earlier groups.
+/// Removes the pair that gains most. Among equal pairs the earlier groups win.
 fn take_best(pairs: &mut Vec<Pair>) -> Option<Pair> {
     let order =
         |(_, a): &(usize, &Pair), (_, b): &(usize, &Pair)| a.gain.total_cmp(&b.gain).then(b.groups.cmp(&a.groups));
@@ -248,16 +249,17 @@ fn by_distance(a: &Distance, b: &Distance) -> Ordering {
     a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))
 }
 
-/// The order of distances, and of equal ones that of what they are of.
+/// Orders by distance, then by index.
 fn nearest_first<T: Ord>((i, a): &(T, Distance), (k, b): &(T, Distance)) -> Ordering {
     by_distance(a, b).then(i.cmp(k))
 }
 
-/// Pairs of boxes that are near each other, the nearest first: of each its nearest ones, but no box
-/// is one of those of more than [`MAX_LOOPS`] others, as that of a sheet's border would be of all
-/// holes.
-fn near(boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<Near>> {
-    let rooms = alloc::collect(boxes.iter().map(|around| around.inflated(ROOM * around.diagonal())))?;
+/// Returns the pairs of nearby boxes, nearest first.
+///
+/// Each box proposes its nearest boxes. At most [`MAX_LOOPS`] boxes may propose one box: otherwise
+/// the border of a sheet would be near all holes in it.
+fn nearby_pairs(boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<Near>> {
+    let rooms = alloc::collect(boxes.iter().map(|around| around.inflated(BOX_MARGIN * around.diagonal())))?;
     let order = spatial_order(&rooms, 1, &job.part(0.0, 0.2), "triangulating holes")?;
     let tree = BoxTree::new(order.iter().map(|&k| rooms[k as usize]))?;
     let mut pairs = Vec::new();

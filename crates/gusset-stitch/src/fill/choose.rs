@@ -1,4 +1,4 @@
-//! Selection of the loops to fill, and the reason for each that is not.
+//! Selects the loops to fill, and gives the reason for each loop that is left.
 
 use super::fill_request::{HoleStatus, Keep, Limits, Measures, Options, Selection};
 use crate::boundary::{Boundary, Loop, LoopFlags};
@@ -12,13 +12,13 @@ use std::collections::HashSet;
 
 /// A loop, and whether it is to be filled.
 pub(super) struct Candidate {
-    /// With the surface on the left, if it is to be filled.
+    /// With the surface on the left if the loop is to be filled.
     pub(super) vertices: Vec<u32>,
     pub(super) status: HoleStatus,
     pub(super) measures: Measures,
 }
 
-/// The loops of a selection.
+/// Returns the loops of a selection.
 pub(super) fn choose(
     mesh: &MeshView<'_>,
     boundary: &Boundary,
@@ -35,7 +35,7 @@ pub(super) fn choose(
 }
 
 fn all_loops(mesh: &MeshView<'_>, boundary: &Boundary, options: &Options) -> Result<Vec<Candidate>> {
-    let kept = kept(mesh, boundary, options.keep)?;
+    let kept = kept_loops(mesh, boundary, options.keep)?;
     let mut candidates = alloc::with_capacity(boundary.len())?;
     for (found, kept) in boundary.iter().zip(kept) {
         let measures = measures(mesh, found.vertices);
@@ -49,20 +49,20 @@ fn all_loops(mesh: &MeshView<'_>, boundary: &Boundary, options: &Options) -> Res
     Ok(candidates)
 }
 
-/// Of each loop, whether it is no hole.
-fn kept(mesh: &MeshView<'_>, boundary: &Boundary, keep: Keep) -> Result<Vec<bool>> {
+/// Tells for each loop whether [`Keep`] leaves it open.
+fn kept_loops(mesh: &MeshView<'_>, boundary: &Boundary, keep: Keep) -> Result<Vec<bool>> {
     let mut kept = alloc::filled(false, boundary.len())?;
     let usable = |found: &Loop<'_>| status_of(found.flags) == HoleStatus::Filled;
     match keep {
         Keep::None => {}
         Keep::Longest => {
             let usable = boundary.iter().enumerate().filter(|(_, found)| usable(found));
-            // Of equally long ones the first.
+            // The first of equally long loops.
             let longest = usable.max_by(|(i, a), (j, b)| a.length.total_cmp(&b.length).then(j.cmp(i)));
             longest.into_iter().for_each(|(i, _)| kept[i] = true);
         }
         Keep::Borders => {
-            let sheets = Sheets::of(mesh)?;
+            let sheets = Sheets::new(mesh)?;
             for (kept, found) in kept.iter_mut().zip(boundary.iter()).filter(|(_, found)| usable(found)) {
                 *kept = sheets.has_border(mesh, found.vertices);
             }
@@ -73,15 +73,15 @@ fn kept(mesh: &MeshView<'_>, boundary: &Boundary, keep: Keep) -> Result<Vec<bool
 
 /// The components of a mesh.
 struct Sheets {
-    /// Per vertex, a number of its component.
+    /// Component number of each vertex.
     component: Vec<u32>,
-    /// Per component, its area and its area vector.
+    /// Area and area vector of each component.
     areas: Vec<(f64, DVec3)>,
 }
 
 impl Sheets {
-    /// O(H) for H half-edges; extra memory: 44 bytes a vertex.
-    fn of(mesh: &MeshView<'_>) -> Result<Sheets> {
+    /// O(H) for H half-edges; extra memory: 44 bytes per vertex.
+    fn new(mesh: &MeshView<'_>) -> Result<Sheets> {
         let mut sets = vertex_components(mesh)?;
         let component = alloc::collect((0..mesh.positions().len() as u32).map(|v| sets.find(v)))?;
         let mut areas = alloc::filled((0.0, DVec3::ZERO), component.len())?;
@@ -99,7 +99,7 @@ impl Sheets {
         Ok(Sheets { component, areas })
     }
 
-    /// True of a loop that goes round its sheet, see [`Keep::Borders`].
+    /// Returns true if the loop runs around the outside of its sheet; see [`Keep::Borders`].
     fn has_border(&self, mesh: &MeshView<'_>, vertices: &[u32]) -> bool {
         let (area, own) = self.areas[self.component[vertices[0] as usize] as usize];
         let origin = mesh.positions().get(vertices[0]);
@@ -122,14 +122,14 @@ fn status_of(flags: LoopFlags) -> HoleStatus {
     }
 }
 
-/// The loops given, in either direction.
+/// Returns the given loops, which may run in either direction.
 fn given_loops<'a>(
     mesh: &MeshView<'_>,
     boundary: &Boundary,
     loops: impl ExactSizeIterator<Item = &'a [u32]>,
     limits: &Limits,
 ) -> Result<Vec<Candidate>> {
-    let edges = FreeEdges::of(boundary)?;
+    let edges = FreeEdges::from_boundary(boundary)?;
     let mut used = HashSet::new();
     let mut candidates = alloc::with_capacity(loops.len())?;
     for (number, given) in (0..).zip(loops) {

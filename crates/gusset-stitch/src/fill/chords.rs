@@ -1,64 +1,69 @@
-//! The chords of a loop that a triangulation may use: all of them, or those near the sides of a
-//! triangulation of every other vertex.
+//! Sets of chords of a loop that a triangulation may use.
+//!
+//! [`AllChords`] has every chord. [`NearChords`] has the chords near the sides of a coarser
+//! triangulation.
 
 use gusset_base::error::Result;
 use gusset_base::sort;
 use gusset_base::sort::Buckets;
 
-/// Chords (i, k), i < k, of n vertices, the edges (i, i + 1) included, each with a number. In
-/// ascending order of numbers, the chords (i, m) and (m, k) come before (i, k).
+/// Numbered chords (i, k), i < k, of a loop of n vertices, including the edges (i, i + 1). The
+/// chords (i, m) and (m, k) have smaller numbers than (i, k).
 pub(super) trait Chords {
     fn count(&self) -> usize;
     fn find(&self, i: usize, k: usize) -> Option<usize>;
-    /// Calls `visit` for all chords in the order of their numbers.
+    /// Calls `visit` for every chord, in the order of the numbers.
     fn try_each(&self, visit: impl FnMut(usize, [usize; 2]) -> Result<()>) -> Result<()>;
-    /// Calls `visit` with each m between i and k, ascending, that has chords (i, m) and (m, k), and
-    /// their numbers.
+    /// Calls `visit` for each m between i and k, ascending, for which (i, m) and (m, k) are chords.
+    /// Passes m and the numbers of both chords.
     fn each_apex(&self, i: usize, k: usize, visit: impl FnMut(usize, [usize; 2]));
 }
 
-/// All chords of so many vertices.
-pub(super) struct All(pub(super) usize);
+/// All chords of a loop with this number of vertices.
+pub(super) struct AllChords(pub(super) usize);
 
-fn at(i: usize, k: usize) -> usize {
+fn chord_number(i: usize, k: usize) -> usize {
     k * (k - 1) / 2 + (k - 1 - i)
 }
 
-impl Chords for All {
+impl Chords for AllChords {
     fn count(&self) -> usize {
         self.0 * (self.0 - 1) / 2
     }
 
     fn find(&self, i: usize, k: usize) -> Option<usize> {
-        Some(at(i, k))
+        Some(chord_number(i, k))
     }
 
     fn try_each(&self, mut visit: impl FnMut(usize, [usize; 2]) -> Result<()>) -> Result<()> {
-        (1..self.0).try_for_each(|k| (0..k).rev().try_for_each(|i| visit(at(i, k), [i, k])))
+        (1..self.0).try_for_each(|k| (0..k).rev().try_for_each(|i| visit(chord_number(i, k), [i, k])))
     }
 
     fn each_apex(&self, i: usize, k: usize, mut visit: impl FnMut(usize, [usize; 2])) {
-        (i + 1..k).for_each(|m| visit(m, [at(i, m), at(m, k)]));
+        (i + 1..k).for_each(|m| visit(m, [chord_number(i, m), chord_number(m, k)]));
     }
 }
 
-/// Chords in lists by their ends.
-pub(super) struct Near {
-    /// At k, where in `first` the chords (i, k) are; their places are their numbers.
+/// A sparse set of chords, indexed by both ends.
+pub(super) struct NearChords {
+    /// The chords (i, k) of one k occupy `first[start[k]..start[k + 1]]`. A chord's number is its
+    /// index in `first`.
     start: Vec<u32>,
-    /// i, descending for each k.
+    /// The ends i, descending for each k.
     first: Vec<u32>,
-    /// At i the chords (i, k): k, ascending, and the number.
+    /// For each i, the chords (i, k) as pairs of k, ascending, and the chord's number.
     after: Buckets<(u32, u32)>,
 }
 
-impl Near {
-    /// Of a loop of `n` vertices: the edges, the chords that cut off one vertex, that from the first
-    /// to the last vertex, and those whose ends lie at most `band` places from those of a side of
-    /// `triangles`, found by a search of the vertices `kept` of the loop. O(band^2 n) time
-    /// and memory.
-    pub(super) fn new(n: usize, triangles: &[[u32; 3]], kept: &[u32], band: u32) -> Result<Near> {
-        // Each chord is the longest side of one triangle, as they are numbered.
+impl NearChords {
+    /// Builds the chords near a coarse triangulation of a loop of `n` vertices.
+    ///
+    /// `triangles` triangulates the vertices `kept` of the loop. The set has the edges of the loop,
+    /// the chords that cut off one vertex, and the chord from the first to the last vertex. It also
+    /// has each chord whose ends lie at most `band` vertices from the ends of a side of
+    /// `triangles`. O(band^2 n) time and memory.
+    pub(super) fn new(n: usize, triangles: &[[u32; 3]], kept: &[u32], band: u32) -> Result<NearChords> {
+        // Each chord is the longest side of exactly one triangle, in the numbering of the vertices.
         let edges = (1..kept.len() as u32).map(|v| (v - 1, v));
         let given = triangles.iter().map(|&[a, _, c]| (a, c)).chain(edges);
         let around = |v: u32| {
@@ -88,7 +93,7 @@ impl Near {
         let places = (0..n).flat_map(|k| (start[k]..start[k + 1]).map(move |number| (k, number)));
         let after =
             Buckets::new(n, (0, 0), places.map(|(k, number)| (first[number as usize] as usize, (k as u32, number))))?;
-        Ok(Near { start, first, after })
+        Ok(NearChords { start, first, after })
     }
 
     fn before(&self, k: usize) -> &[u32] {
@@ -96,7 +101,7 @@ impl Near {
     }
 }
 
-impl Chords for Near {
+impl Chords for NearChords {
     fn count(&self) -> usize {
         self.first.len()
     }
@@ -117,7 +122,7 @@ impl Chords for Near {
 
     fn each_apex(&self, i: usize, k: usize, mut visit: impl FnMut(usize, [usize; 2])) {
         let (after, before, start) = (self.after.get(i), self.before(k), self.start[k] as usize);
-        // The shorter list is walked.
+        // Walk the shorter list, and search the longer one.
         if after.len() <= before.len() {
             for &(m, left) in after.iter().take_while(|&&(m, _)| (m as usize) < k) {
                 if let Ok(at) = before.binary_search_by(|v| m.cmp(v)) {

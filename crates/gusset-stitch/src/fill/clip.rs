@@ -1,12 +1,11 @@
 //! Ear clipping of long loops.
 //!
-//! Dynamic programming is cubic in the length of the loop. A loop too long for it loses its
-//! shortest ear, a triangle of three consecutive vertices, then the shortest ear of the rest,
-//! and so on. An ear must, in projection along the loop's mean normal, be convex and contain no
-//! other vertex; every simple polygon has two (G. Meisters, *Polygons have ears*, 1975). Where
-//! no such ear is left, because the projected loop crosses itself, the shortest one is taken. A
-//! grid over the projected vertices keeps each test local: about O(n log n) for loops that fill
-//! their box evenly.
+//! Dynamic programming takes cubic time, so long planar loops are clipped instead. An ear is a
+//! triangle of three consecutive vertices. In projection along the loop's mean normal it must be
+//! convex and contain no other vertex; every simple polygon has two ears (G. Meisters, *Polygons
+//! have ears*, 1975). The shortest ear is cut off first. If the projected loop intersects itself
+//! and lacks ears, the shortest triangle of consecutive vertices is cut off. A grid over the
+//! projected vertices keeps each test local: about O(n log n) for loops that fill their box evenly.
 
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;
@@ -17,18 +16,18 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::ops::Range;
 
-/// Cells of the grid along each axis, at the most.
+/// Largest number of grid cells along each axis.
 const MAX_GRID_CELLS: f64 = 1024.0;
-/// Points are planar if they deviate from a plane by no more than this part of their size.
+/// Largest distance of planar points from their plane, relative to the size of the point set.
 const MAX_RELATIVE_DEVIATION: f64 = 1e-6;
 /// Ears between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 10;
 
-/// Triangulates the loop through `points`; `None` if every ear that is left would have an edge that
-/// is `taken`.
+/// Triangulates the loop through `points`. Returns `None` if every remaining ear has a `taken`
+/// edge.
 ///
-/// O(n log n) for n points and the vertices looked at, which are those near each ear; linear
-/// memory, about 150 bytes a point.
+/// O(n log n) for n points, plus the vertices near each ear; linear memory, about 150 bytes per
+/// point.
 pub(crate) fn clip_ears(
     points: &[DVec3],
     taken: &dyn Fn(u32, u32) -> bool,
@@ -37,7 +36,7 @@ pub(crate) fn clip_ears(
     let n = points.len();
     let mut ring = Ring::new(points)?;
     let mut triangles = alloc::with_capacity(n - 2)?;
-    // Shortest first; of ears that have changed since, the old entry is passed over.
+    // Shortest ear first. Outdated entries are skipped when they are popped.
     let mut ears = BinaryHeap::from(alloc::with_capacity(4 * n)?);
     for strict in [true, false] {
         ears.clear();
@@ -60,13 +59,13 @@ pub(crate) fn clip_ears(
     Ok((triangles.len() == n - 2).then_some(triangles))
 }
 
-/// What is left of the loop.
+/// The remaining loop.
 struct Ring {
-    /// The loop seen along its mean normal, counter-clockwise.
+    /// The loop projected along its mean normal, counter-clockwise.
     flat: Vec<DVec2>,
     previous: Vec<u32>,
     next: Vec<u32>,
-    /// Does not bend to the inside: only such vertices can lie in ears.
+    /// True for vertices that are not convex. Only these can lie inside an ear.
     reflex: Vec<bool>,
     grid: Grid,
 }
@@ -86,7 +85,7 @@ impl Ring {
         self.next[v as usize] != v
     }
 
-    /// The ear at `v`, with the bits of its squared length in front: they sort as the lengths do.
+    /// Returns the ear at `v` after the bits of its squared length, which sort like the lengths.
     fn ear(&self, points: &[DVec3], v: u32) -> (u64, [u32; 3]) {
         let (a, c) = (self.previous[v as usize], self.next[v as usize]);
         (points[a as usize].distance_squared(points[c as usize]).to_bits(), [a, v, c])
@@ -97,7 +96,7 @@ impl Ring {
         if self.reflex[ear[1] as usize] {
             return false;
         }
-        // At a corner are ends of bridges, which the polygon passes more than once.
+        // Exclude the corners: the polygon passes the ends of a bridge more than once.
         let at_corner = |p: DVec2| p == a || p == b || p == c;
         let holds = |p: DVec2| turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0 && !at_corner(p);
         let (low, high) = (a.min(b).min(c), a.max(b).max(c));
@@ -118,26 +117,26 @@ impl Ring {
     }
 }
 
-/// Positive if the way from `a` by `b` to `c` turns left.
+/// Returns a positive value if the path from `a` through `b` to `c` turns left.
 fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (b - a).perp_dot(c - a)
 }
 
-/// The unit normal of a loop by Newell's formula; any if it has none.
+/// Returns the unit normal of a loop by Newell's formula; the z axis for a degenerate loop.
 pub(super) fn mean_normal(points: &[DVec3]) -> DVec3 {
     let next = points.iter().cycle().skip(1);
     let normal: DVec3 = points.iter().zip(next).map(|(&p, &q)| (p - points[0]).cross(q - points[0])).sum();
     normal.try_normalize().unwrap_or(DVec3::Z)
 }
 
-/// True if all points are as near to the plane through the first one, of this normal, as round-off
-/// of single precision may have left them.
+/// Returns true if all points lie in the plane through the first point with this normal, up to
+/// single-precision round-off.
 pub(super) fn is_planar(points: &[DVec3], normal: DVec3) -> bool {
     let size = points.iter().map(|p| p.distance(points[0])).fold(0.0, f64::max);
     points.iter().all(|&p| (p - points[0]).dot(normal).abs() <= MAX_RELATIVE_DEVIATION * size)
 }
 
-/// The loop seen along its mean normal, counter-clockwise.
+/// Projects the loop along its mean normal, counter-clockwise.
 fn flattened(points: &[DVec3]) -> Result<Vec<DVec2>> {
     let (origin, normal) = (points[0], mean_normal(points));
     let x = normal.any_orthonormal_vector();
@@ -145,7 +144,7 @@ fn flattened(points: &[DVec3]) -> Result<Vec<DVec2>> {
     alloc::collect(points.iter().map(|&p| DVec2::new((p - origin).dot(x), (p - origin).dot(y))))
 }
 
-/// The reflex vertices of the loop at the start, by square cells, row by row.
+/// The initial reflex vertices of the loop in square cells, row by row.
 struct Grid {
     low: DVec2,
     cell: f64,
@@ -175,7 +174,7 @@ impl Grid {
         ((cell.x as usize).min(self.columns - 1), cell.y as usize)
     }
 
-    /// Where the vertices of the cells that a box touches are, a range for each row.
+    /// For each row of cells that the box touches, returns the range of its vertices.
     fn rows(&self, low: DVec2, high: DVec2) -> impl Iterator<Item = Range<usize>> + '_ {
         let ((left, bottom), (right, top)) = (self.cell_of(low), self.cell_of(high));
         (bottom..=top).map(move |row| {

@@ -1,4 +1,4 @@
-//! Options, results and the status of each hole.
+//! Options and results of filling, and the status of each hole.
 
 pub use crate::fair::Continuity;
 use crate::repair::orient::Outward;
@@ -7,21 +7,23 @@ use gusset_base::choices;
 use gusset_mesh::Mesh;
 use std::ops::Range;
 
-/// What makes one triangulation of a rim better than another.
+/// The criterion for the best triangulation of a rim.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Weight {
-    /// The best continuation of the surface round the hole: the bends along all edges, those of the
-    /// rim included, and how far the surface that was there is likely to have been from the
-    /// triangles, as its tangent planes at the rim say. By area alone if the rim is planar.
+    /// The best continuation of the surface around the hole.
+    ///
+    /// Adds the bends along all edges, including rim edges, to the distance of the triangles from
+    /// the likely old surface. The tangent planes at the rim predict this surface. If the rim is
+    /// planar, only the area counts.
     #[default]
     Continuation,
-    /// The area, and for each edge, those of the rim included, its squared length times 1 - cosine
-    /// of the angle between its faces.
+    /// The sum of area and bend. The bend of an edge, including rim edges, is its squared length
+    /// times 1 - cosine of the angle between its faces.
     AreaAndBend,
-    /// The largest angle between neighbouring faces, those beyond the rim included, and then the
-    /// area, as Liepa has it. One bend that cannot be avoided hides all smaller ones.
+    /// The largest angle between neighbouring faces, including the faces beyond the rim, then the
+    /// area (Liepa). One unavoidable bend hides all smaller ones.
     BendThenArea,
-    /// The area, as Barequet and Sharir have it.
+    /// The area (Barequet and Sharir).
     Area,
 }
 
@@ -35,61 +37,66 @@ choices! { for Weight:
 /// New vertices inside the holes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Refinement {
-    /// None.
+    /// No new vertices.
     #[default]
     None,
-    /// As dense as the vertices round the hole. About so many a hole at the most, 0 for 50,000:
-    /// where more would be needed, the triangles are larger.
+    /// New vertices as dense as those around the hole.
+    ///
+    /// The number is an approximate limit per hole; 0 means 50,000. If a hole needs more, its
+    /// triangles are larger.
     RimDensity(u32),
 }
 
-/// Where new vertices go.
+/// How new vertices are placed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Fairing {
-    /// They stay on the triangles of the first triangulation.
+    /// New vertices stay on the triangles of the initial triangulation.
     #[default]
     None,
-    /// To where a thin plate clamped to the surface round the hole would bend least.
+    /// New vertices minimise the bending energy of a thin plate that is clamped to the surface
+    /// around the hole.
     ThinPlate,
 }
 
-/// Which loops are too large to be filled. Each limit is the largest value that is filled; `None`
-/// for no limit.
+/// Limits on the size of the loops to fill. Each value is the largest that is filled; `None` sets
+/// no limit.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Limits {
-    /// Edges of the loop.
+    /// Number of edges of the loop.
     pub edges: Option<u32>,
-    /// [`Measures::length`].
+    /// Limit on [`Measures::length`].
     pub length: Option<f64>,
-    /// [`Measures::diameter`].
+    /// Limit on [`Measures::diameter`].
     pub diameter: Option<f64>,
-    /// [`Measures::area`].
+    /// Limit on [`Measures::area`].
     pub area: Option<f64>,
 }
 
-/// How large a loop is.
+/// The size of a loop.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Measures {
-    /// The sum of its edges' lengths, in the unit of the positions.
+    /// The sum of the edge lengths, in the unit of the positions.
     pub length: f64,
-    /// The diagonal of the box round it, along the axes.
+    /// The diagonal of the axis-aligned bounding box.
     pub diameter: f64,
-    /// The area of the cone of triangles from its edges to their common centre, in the square of the
-    /// unit: that of the hole if it is planar and convex, more otherwise.
+    /// The area of the triangles from the loop's edges to its centroid, in the squared unit of the
+    /// positions. Equals the hole's area if the hole is planar and convex, and exceeds it
+    /// otherwise.
     pub area: f64,
 }
 
-/// Which loops are no holes; only asked if all loops are to be filled.
+/// Which loops are not holes. Read only with [`Selection::All`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Keep {
-    /// All are holes.
+    /// Every loop is a hole.
     #[default]
     None,
-    /// The longest loop is none.
+    /// The longest loop is not a hole.
     Longest,
-    /// Those are none that go round a sheet rather than a hole in it: a patch would lie on the sheet.
-    /// The area vector of such a loop points as the sheet's own, and is at least half as long as the
-    /// sheet's area.
+    /// A loop around the outside of a sheet is not a hole: its patch would lie on the sheet.
+    ///
+    /// The area vector of such a loop points along the sheet's own area vector, and its length is
+    /// at least half the sheet's area.
     Borders,
 }
 
@@ -99,15 +106,15 @@ choices! { for Keep:
     Borders => "Borders", "Loops that go round a sheet, rather than a hole in it, stay open.";
 }
 
-/// Which loops get one patch.
+/// Which loops share a patch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Together {
-    /// Each has a patch of its own.
+    /// Each loop has its own patch.
     #[default]
     Apart,
-    /// All that are filled have one patch.
+    /// All filled loops share one patch.
     One,
-    /// Those have one patch that cost less together than apart, by the weight asked for.
+    /// Loops share a patch if that costs less than separate patches, by the chosen [`Weight`].
     Cheapest,
 }
 
@@ -120,130 +127,133 @@ choices! { for Together:
 /// The loops to fill.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Selection<'a> {
-    /// All that the mesh has.
+    /// All loops of the mesh.
     #[default]
     All,
-    /// These: the vertices of each in order, in either direction.
+    /// The given loops, each as its vertices in order, in either direction.
     Loops(&'a [&'a [u32]]),
-    /// These, each with a number: those with the same number get one patch, whatever
-    /// [`Options::together`] says.
+    /// The given loops, each with a group number. Loops of one group share a patch, and
+    /// [`Options::together`] is not read.
     Groups(&'a [(&'a [u32], u32)]),
 }
 
-/// How holes are filled.
+/// Options of [`fill_holes`](super::fill_holes()).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {
-    /// Which triangulation is best.
+    /// The criterion for the best triangulation.
     pub weight: Weight,
     /// New vertices inside the holes.
     pub refinement: Refinement,
-    /// Where they go; if none are asked for, a note says that this is not read.
+    /// How new vertices are placed. Without new vertices a note reports that this is not read.
     pub fairing: Fairing,
-    /// How smoothly faired vertices go on the surface round the hole.
+    /// How smoothly faired vertices continue the surface around the hole.
     pub continuity: Continuity,
-    /// Creases of the old surface that end at a rim end there: no patch goes on with them.
+    /// If true, creases that end at a rim are not continued across the patch.
     pub ignore_creases: bool,
-    /// Whether cuts are looked for, and avoided by other weights and less fairing
-    /// ([`Intersections::Auto`]), reported only, or ignored.
+    /// How intersecting faces are treated. [`Intersections::Auto`] looks for them, and avoids them
+    /// by other weights and less fairing. The other choices report or ignore them.
     pub intersections: Intersections,
-    /// Which loops are left alone.
+    /// Limits on the size of the loops to fill.
     pub limits: Limits,
-    /// Which loops are no holes.
+    /// Which loops are not holes.
     pub keep: Keep,
-    /// Which loops get one patch.
+    /// Which loops share a patch.
     pub together: Together,
-    /// Nothing is filled or turned over: the accounts say which loops would be tried, and with which
-    /// weight and finish; not which of them turn out to have no triangulation, nor which get one patch.
+    /// If true, nothing is filled or turned over. The reports tell which loops would be tried, and
+    /// with which weight and finish. They do not tell which loops lack a triangulation, or which
+    /// loops would share a patch.
     pub plan_only: bool,
-    /// What becomes of closed components of the result: they stay as they are, or those that are
-    /// inside out are turned over, each as a whole, as [`turn_outwards`] does.
+    /// The orientation of closed components of the result: kept, or turned outwards as a whole by
+    /// [`turn_outwards`].
     ///
     /// [`turn_outwards`]: crate::repair::orient::turn_outwards()
     pub outward: Outward,
 }
 
-/// What became of a loop.
+/// The outcome for one loop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HoleStatus {
     /// Filled; in a plan, to be filled.
     Filled,
-    /// It is no hole, as [`Options::keep`] has it.
+    /// Left open by [`Options::keep`].
     Kept,
-    /// It exceeds one of the [`Limits`].
+    /// Larger than one of the [`Limits`].
     TooLarge,
-    /// No closed loop: an open chain.
+    /// An open chain instead of a closed loop.
     Open,
-    /// It runs along an edge with three or more faces.
+    /// Runs along an edge with three or more faces.
     NonManifold,
-    /// The faces along it disagree in orientation.
+    /// The faces along the loop have inconsistent orientations.
     NotOriented,
-    /// A given loop has fewer than three vertices, or passes one twice.
+    /// A given loop that has fewer than three vertices, or repeats a vertex.
     NotSimple,
-    /// An edge of a given loop is no edge with exactly one face, or is one of a loop before it.
+    /// A given loop with an edge that does not have exactly one face, or that an earlier loop has
+    /// too.
     NotFree,
-    /// Every triangulation would have an edge between two vertices of one old face; or none was found
-    /// that closes all loops together which are to get one patch, as where two of them share a vertex.
+    /// No triangulation was found. Each one may have an edge between two vertices of one old face.
+    /// Or the loops of the group cannot be closed together, for example because two of them share a
+    /// vertex.
     NoTriangulation,
 }
 
-/// What a patch is made of.
+/// The construction of a patch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Finish {
     /// Triangles between the vertices of the rim.
     Plain,
-    /// With new vertices, where the plain triangles are.
+    /// New vertices on the triangles of the plain patch.
     Refined,
-    /// With new vertices, faired.
+    /// New vertices that are faired.
     Faired,
 }
 
-/// The account of one loop.
+/// The report on one loop.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Hole {
-    /// What became of it.
+    /// The outcome.
     pub status: HoleStatus,
-    /// Its vertices, in [`Filled::rims`]: with the surface of the mesh that was given on the left,
-    /// or, of a given loop that is not simple, free or oriented, as given.
+    /// The loop's vertices, as a range of [`Filled::rims`], with the surface of the input mesh on
+    /// the left. A given loop that is not simple, free or oriented keeps its given order.
     pub rim: Range<usize>,
-    /// The number of its patch, which several loops may have, in the order of the faces; `u32::MAX` if
-    /// it has none.
+    /// The patch number, in the order of the faces; `u32::MAX` without a patch. Several loops may
+    /// share a patch.
     pub patch: u32,
-    /// The patch's faces in the result: the same for all loops of the patch.
+    /// The patch's faces in the result. Loops that share a patch have equal ranges.
     pub faces: Range<u32>,
     /// The patch's new vertices in the result.
     pub vertices: Range<u32>,
-    /// How large it is.
+    /// The size of the loop.
     pub measures: Measures,
-    /// The weight that the patch's triangulation is best by: the one asked for, or one that cuts less.
+    /// The weight that the patch minimises: the chosen weight, or another that intersects less.
     pub weight: Weight,
-    /// What the patch is made of: what was asked for, or less, which cuts less.
+    /// The construction of the patch: the chosen one, or a simpler one that intersects less.
     pub finish: Finish,
 }
 
 /// The result of filling.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Filled {
-    /// The old vertices with their bits and indices, then the new ones; the old faces, then the new
-    /// ones, all triangles.
+    /// The old vertices with unchanged bits and indices, then the new vertices; the old faces, then
+    /// the new triangles.
     pub mesh: Mesh,
-    /// One account for each loop: those given, in their order, or all that the mesh has, in the
+    /// One report for each loop: the given loops in their order, or all loops of the mesh in the
     /// order of [`boundary_loops`](crate::boundary::boundary_loops()).
     pub holes: Vec<Hole>,
     /// The vertices of all rims.
     pub rims: Vec<u32>,
-    /// Of each new vertex, in their order, three vertices of its patch's rims.
+    /// For each new vertex, in order, three vertices of its patch's rims.
     pub parents: Vec<[u32; 3]>,
-    /// How much it has of each of them; at least 0, with sum 1. They place it at the nearest point
-    /// of the plain triangulation of the rims, which it is itself if its patch was neither faired nor
-    /// creased, or if the hole is flat.
+    /// The weight of each parent, at least 0, with sum 1. They give the nearest point on the plain
+    /// triangulation of the rims. It is the vertex itself if the patch is flat, and if the patch is
+    /// without fairing and creases.
     pub weights: Vec<[f64; 3]>,
-    /// Pairs of faces of the result that cut each other, the larger number first, which is a new
-    /// face's; ascending. What they share, a vertex or an edge, is no cut, nor are vertices and edges
-    /// at the same place. `None` if they were not looked for.
+    /// Pairs of intersecting faces of the result, in ascending order; `None` if they were not
+    /// looked for. In each pair the first number is larger, and is a new face. Shared vertices and
+    /// edges, and coincident ones, do not count.
     pub intersections: Option<Vec<[u32; 2]>>,
-    /// Faces of the result, old and new ones, that [`Options::outward`] had turned over, ascending.
-    /// Each keeps its first corner and has the others in reverse order.
+    /// The faces of the result that [`Options::outward`] turned over, old and new, ascending. A
+    /// turned face keeps its first corner, and the order of its other corners is reversed.
     pub turned_outwards: Vec<u32>,
-    /// Measures of the new faces, and of the result's connectivity.
+    /// Quality of the new faces, and connectivity of the result.
     pub quality: Quality,
 }

@@ -1,10 +1,10 @@
-//! The patches of all groups of loops, and other ones where they cut.
+//! Builds the patches of all groups of loops, and replaces patches that intersect.
 
 use super::choose::Candidate;
 use super::fill_request::{Options, Refinement};
 use super::near::faces_near;
 use super::patch::{Planner, attempts, neighbourhood};
-use super::patch_cuts::{Old, Trials, cuts, cutting};
+use super::patch_cuts::{OldTriangles, Trials, cutting_patches, find_cuts};
 use super::patch_rim::Rim;
 use super::placed::{Placed, Pool};
 use super::result::Made;
@@ -17,23 +17,24 @@ use gusset_base::job::Job;
 use gusset_mesh::MeshView;
 use std::collections::HashSet;
 
-/// Where a patch cuts, other blends are tried until all had so many new vertices: two of full size.
-const MAX_TRIED: usize = 2 * 50_000;
+/// Blends are retried on an intersecting patch until the attempts have made this many new vertices:
+/// two blends of full size.
+const MAX_TRIED_VERTICES: usize = 2 * 50_000;
 
-/// The patches, and what they are made from.
+/// The patches and their inputs.
 pub(super) struct Filling<'a> {
     options: &'a Options,
     candidates: &'a [Candidate],
-    /// The candidates to be filled: each group gets one patch.
+    /// The candidates to fill. Each group gets one patch.
     groups: &'a [Vec<usize>],
-    /// What the patch of each stays in.
+    /// For each group, a box that contains its patch.
     rooms: Vec<Aabb>,
-    /// Per vertex of the mesh, how many loops pass it.
+    /// For each mesh vertex, the number of loops that pass it.
     passes: &'a [u8],
     /// The faces near the holes, ascending.
     near: Vec<u32>,
     surroundings: Surroundings<'a>,
-    /// New edges between old vertices that more than one loop passes: no other patch may repeat them.
+    /// New edges between old vertices that several loops pass. No other patch may repeat them.
     bridges: HashSet<(u32, u32)>,
     pub(super) made: Made<'a>,
 }
@@ -54,13 +55,13 @@ impl<'a> Filling<'a> {
             let vertices = group.iter().flat_map(|&number| &candidates[number].vertices);
             alloc::extend(&mut points, vertices.map(|&v| mesh.positions().get(v)))?;
             let rim = &points[first..];
-            // New vertices are faired, or on creases.
+            // New vertices may leave the rim's box: they are faired, or lie on creases.
             let bulges = options.refinement != Refinement::None;
             alloc::push(&mut boxes, if bulges { neighbourhood(rim) } else { Aabb::from_points(rim) })?;
         }
         let near = faces_near(mesh, &boxes, &job.part(0.0, 0.9))?;
         let surroundings = Surroundings::new(mesh, passes, &near, options.continuity, &job.part(0.9, 1.0))?;
-        let made = Made { pool: Pool::new(mesh, &points), ..Made::nothing(mesh) };
+        let made = Made { pool: Pool::new(mesh, &points), ..Made::empty(mesh) };
         Ok(Filling {
             options,
             candidates,
@@ -95,12 +96,13 @@ impl<'a> Filling<'a> {
         Ok(())
     }
 
-    /// The rim of a group's patch, and its vertices in the mesh; `None` if two of the loops share one.
+    /// Returns the rim of a group's patch, and the rim's mesh vertices; `None` if two of the loops
+    /// share a vertex.
     fn rim(&mut self, group: &[usize], job: &Job<'_>) -> Result<Option<(Rim, Vec<u32>)>> {
         self.surroundings.rim(group.iter().map(|&number| self.candidates[number].vertices.as_slice()), job)
     }
 
-    /// The first patch that can be had.
+    /// Returns the first patch that can be built.
     fn first_patch(&mut self, group: &[usize], job: &Job<'_>) -> Result<Option<Placed>> {
         let Some((rim, names)) = self.rim(group, job)? else {
             return Ok(None);
@@ -115,7 +117,7 @@ impl<'a> Filling<'a> {
             if let Some(patch) = planner.patch(attempt, &job.part(0.0, 0.9))? {
                 found = Some(self.made.pool.place(&rim, &names, &patch, attempt, &job.part(0.9, 1.0))?);
             }
-            // The search of several loops is not complete: another weight may find what this did not.
+            // The search for several loops is incomplete, so another weight may succeed.
             if found.is_some() || planner.is_stuck() && group.len() == 1 {
                 break;
             }
@@ -125,31 +127,32 @@ impl<'a> Filling<'a> {
         Ok(found)
     }
 
-    /// Looks for cuts, and lets the patches that have some try other ways. `rooms`: of the patches.
+    /// Looks for intersections, and tries other patches where there are any. `rooms` are the
+    /// patches' boxes.
     fn avoid_cuts(&mut self, rooms: &[Aabb], job: &Job<'_>) -> Result<()> {
-        let old = Old::new(self.made.pool.mesh, &self.near, &job.part(0.0, 0.1))?;
-        let mut pairs = cuts(&self.made.pool, &self.made.patches, &old, &job.part(0.1, 0.3))?;
+        let old = OldTriangles::new(self.made.pool.mesh, &self.near, &job.part(0.0, 0.1))?;
+        let mut pairs = find_cuts(&self.made.pool, &self.made.patches, &old, &job.part(0.1, 0.3))?;
         if !pairs.is_empty() && self.options.intersections == Intersections::Auto {
             let trials = Trials::new(&self.made.pool, &old, rooms, &job.part(0.3, 0.3))?;
-            let cutting = cutting(&pairs, &self.made.patches)?;
+            let cutting = cutting_patches(&pairs, &self.made.patches)?;
             for (i, &k) in cutting.iter().enumerate() {
                 let job = job.part(0.3, 0.8).share(i, cutting.len());
                 self.try_others(k, &trials, &job)?;
             }
-            pairs = cuts(&self.made.pool, &self.made.patches, &old, &job.part(0.8, 1.0))?;
+            pairs = find_cuts(&self.made.pool, &self.made.patches, &old, &job.part(0.8, 1.0))?;
         }
         let first_new = self.made.pool.mesh.faces().len() as u32;
         self.made.intersections = Some(old.faces_of(&pairs, &self.made.patches, first_new)?);
         Ok(())
     }
 
-    /// Puts the patch that cuts least in the place of patch `k`, of equals the first.
+    /// Replaces patch `k` by the attempt with the fewest intersections, the first of equals.
     fn try_others(&mut self, k: usize, trials: &Trials<'_>, job: &Job<'_>) -> Result<()> {
         let Some((rim, names)) = self.rim(self.made.groups[k], job)? else {
             return Ok(());
         };
         if rim.count == 3 && self.options.refinement == Refinement::None {
-            // There is one triangle only.
+            // A triangular hole has only one triangulation.
             return Ok(());
         }
         let taken =
@@ -165,7 +168,7 @@ impl<'a> Filling<'a> {
             if least == 0 {
                 break;
             }
-            if attempt == self.made.patches[k].attempt || attempt.is_blend() && tried > MAX_TRIED {
+            if attempt == self.made.patches[k].attempt || attempt.is_blend() && tried > MAX_TRIED_VERTICES {
                 continue;
             }
             let Some(patch) = planner.patch(attempt, &job.part(0.0, 0.7))? else {
@@ -190,12 +193,12 @@ impl<'a> Filling<'a> {
     }
 }
 
-/// True of two vertices of rims that must not get an edge.
+/// Returns true if two rim vertices must not get an edge.
 fn is_taken(surroundings: &Surroundings<'_>, bridges: &HashSet<(u32, u32)>, [u, v]: [u32; 2]) -> bool {
     surroundings.share_face(u, v) || bridges.contains(&(u.min(v), u.max(v)))
 }
 
-/// The edges of a patch between two old vertices that more than one loop passes.
+/// Returns the edges of a patch between two old vertices that several loops pass.
 fn bridges(passes: &[u8], patch: &Placed) -> impl Iterator<Item = (u32, u32)> {
     let shared = |v: u32| passes.get(v as usize).is_some_and(|&count| count > 1);
     let sides = patch.triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);

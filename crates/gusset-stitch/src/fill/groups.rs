@@ -1,4 +1,4 @@
-//! The loops that get one patch, as the caller has it.
+//! Groups the loops that the caller wants to share a patch.
 
 use super::choose::Candidate;
 use super::fill_request::{HoleStatus, Selection, Together};
@@ -6,9 +6,9 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::sort;
 
-/// The candidates to be filled, by patches, each group ascending and the groups by their first ones.
-/// Those that will not be filled are in none: the others of their group get the patch.
-pub(super) fn groups(
+/// Returns the candidates to fill by patch. Each group is ascending, and the groups are ordered by
+/// their first candidates. Candidates that are left open belong to no group.
+pub(super) fn patch_groups(
     candidates: &[Candidate],
     selection: Selection<'_>,
     together: Together,

@@ -1,58 +1,59 @@
-//! Filling the selected holes of a mesh, step by step.
+//! Fills the selected holes of a mesh, step by step.
 
-use super::cheapest::cheapest;
+use super::cheapest::group_by_cost;
 use super::choose::choose;
 use super::fill_request::{Fairing, Filled, Options, Refinement, Selection, Together};
 use super::filling::Filling;
-use super::groups::groups;
-use super::result::{Made, result};
+use super::groups::patch_groups;
+use super::result::{Made, build_result};
 use crate::boundary::{self, Survey, boundary_loops};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_mesh::MeshView;
 
-/// Fills holes of a mesh: closes boundary loops by new triangles, oriented as the surface round
+/// Fills holes of a mesh: closes boundary loops by new triangles, oriented like the surface around
 /// them.
 ///
-/// Loops that are given have their vertices in order, in either direction, each consecutive pair (and
-/// the last with the first) being an edge with exactly one face. All loops that the mesh has are cut
-/// into simple ones where the boundary touches itself. Loops that cannot be filled are left, and the
-/// account of each says why; nothing of this is an error.
+/// Given loops list their vertices in order, in either direction. Consecutive vertices, and the
+/// last with the first, must span an edge with exactly one face. With [`Selection::All`],
+/// boundaries that touch themselves are cut into simple loops. A loop that cannot be filled is not
+/// an error: its report gives the reason.
 ///
-/// **Several loops** get one patch, a surface of genus 0 between them, if the caller says so or
-/// [`Together::Cheapest`] finds that it costs less. Loops of a group that are left for reasons of
-/// their own do not count. If the others cannot be closed together, by a search that is not complete,
-/// or two of them share a vertex, all of them are left; `Cheapest` leaves such loops apart. It tries
-/// loops that are near each other, at most 8 pairs for each loop, 256 in all, and joins at most 16.
-/// By area alone the ends of a short tube cost less together, along the tube itself.
+/// **Several loops** share one patch, a surface of genus 0 between them, if the caller asks for it,
+/// or if [`Together::Cheapest`] finds that it costs less. Loops of a group that cannot be filled do
+/// not count. If the other loops cannot be closed together, or two of them share a vertex, the
+/// whole group stays open; `Cheapest` then fills them separately. The search for a common patch is
+/// incomplete. `Cheapest` tries loops that are near each other: at most 8 pairs per loop, 256 pairs
+/// in all, and at most 16 loops per patch. By area alone, the two ends of a short tube cost less
+/// together: their patch runs along the tube.
 ///
-/// A loop of n <= 128 vertices gets its triangulation of least weight by dynamic programming over
-/// all chords, in O(n^3); by area it is the least there is. A longer one is searched from coarse to
-/// fine, in O(n); a long planar one is cut ear by ear, in O(n log n), and its edges flipped to
-/// Delaunay's rule. No new edge joins two vertices of one old face, so that a result that is closed
-/// stays so when its polygons are cut into triangles. A planar hole, also one round islands, is
-/// triangulated without overlaps by the default weight and by the area, however concave it is, if its
-/// rim does not cross itself.
+/// **Triangulation.** A loop of n <= 128 vertices gets its triangulation of least weight by dynamic
+/// programming over all chords, in O(n^3). For the weight `Area` the result is optimal. A longer
+/// loop is searched from coarse to fine, in O(n). A long planar loop is triangulated by ear
+/// clipping, in O(n log n), and its edges are flipped to the Delaunay criterion. No new edge joins
+/// two vertices of one old face, so a closed result stays closed when its polygons are
+/// triangulated. A planar hole whose rim does not intersect itself is triangulated without
+/// overlaps, by the default weight and by the area. It may have islands and be concave.
 ///
-/// Where creases of the old surface end at the rim, sharp edges far above what is usual there, and two
-/// fit each other, or three and more point at one place, they go on across the patch, along chords if
-/// there are no new vertices, and the parts between them are filled one by one. The patch is smooth
-/// otherwise.
+/// **Creases.** A crease is an old edge at the rim that is far sharper than the median there. If
+/// two creases continue each other, or three or more point at one place, they are continued across
+/// the patch; without new vertices, along chords. The parts between them are filled one by one.
+/// Elsewhere the patch is smooth.
 ///
-/// Faces of a patch that cut each other or old faces are looked for, exactly. Where there are any,
-/// less fairing, the other weights and no new vertices are tried, and what cuts least is taken;
-/// [`Filled::intersections`] has what is left. No faired vertex leaves the box round its rims, larger
-/// on all sides by half its diagonal.
+/// **Intersections.** Faces of a patch that intersect each other or old faces are found exactly. If
+/// there are any, the search also tries less fairing, the other weights and no new vertices. It
+/// keeps the patch with the fewest intersections; [`Filled::intersections`] lists the remaining
+/// ones. Faired vertices stay in the box of their rims, enlarged on all sides by half its diagonal.
 ///
-/// Several loops take O(n log n) for n vertices in all if they are few, and O(n^3) if they are many.
-/// O(H) for H half-edges besides (O(H log d) where the boundary is odd), and what refinement and
-/// fairing of m new vertices need: O(m^1.5). The search for cuts takes O(n log n) for n faces near
-/// the holes, and time for each pair whose boxes overlap, in the worst case O(n^2). Extra memory is
-/// linear.
+/// **Complexity.** O(H) for H half-edges (O(H log d) at a non-manifold boundary), plus O(m^1.5) to
+/// refine and fair m new vertices. Several loops with n vertices in all take O(n log n) if the
+/// loops are few, and O(n^3) if they are many. Finding intersections takes O(n log n) for n faces
+/// near the holes, plus time for each pair of overlapping boxes: O(n^2) in the worst case. Extra
+/// memory is linear.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] for a limit that is no number or negative; [`Error::TooLarge`],
+/// [`Error::OptionOutOfRange`] for a limit that is negative or not a number; [`Error::TooLarge`],
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn fill_holes(mesh: &MeshView<'_>, selection: Selection<'_>, options: &Options, job: &Job<'_>) -> Result<Filled> {
     let limits = &options.limits;
@@ -68,17 +69,17 @@ pub fn fill_holes(mesh: &MeshView<'_>, selection: Selection<'_>, options: &Optio
     let boundary = boundary_loops(mesh, &survey, &job.part(0.0, 0.2))?;
     let candidates = choose(mesh, &boundary, selection, options)?;
     if options.plan_only {
-        return result(Made::nothing(mesh), &candidates, options, &job.part(0.2, 1.0));
+        return build_result(Made::empty(mesh), &candidates, options, &job.part(0.2, 1.0));
     }
     let mut passes = alloc::filled(0u8, mesh.positions().len())?;
     for found in boundary.iter() {
         found.vertices.iter().for_each(|&v| passes[v as usize] = passes[v as usize].saturating_add(1));
     }
-    let mut groups = groups(&candidates, selection, options.together)?;
+    let mut groups = patch_groups(&candidates, selection, options.together)?;
     if options.together == Together::Cheapest && !matches!(selection, Selection::Groups(_)) {
-        groups = cheapest(mesh, &passes, &candidates, &groups, options.weight, &job.part(0.2, 0.4))?;
+        groups = group_by_cost(mesh, &passes, &candidates, &groups, options.weight, &job.part(0.2, 0.4))?;
     }
     let mut filling = Filling::new(mesh, &candidates, &groups, &passes, options, &job.part(0.4, 0.45))?;
     filling.fill(&job.part(0.45, 0.8))?;
-    result(filling.made, &candidates, options, &job.part(0.8, 1.0))
+    build_result(filling.made, &candidates, options, &job.part(0.8, 1.0))
 }

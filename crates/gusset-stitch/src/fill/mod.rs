@@ -1,10 +1,10 @@
-//! Filling holes: new faces that close boundary loops.
+//! Filling of holes: new faces that close boundary loops.
 //!
 //! Sources: G. Barequet, M. Sharir, *Filling gaps in the boundary of a polyhedron* (1995); P.
-//! Liepa, *Filling holes in meshes* (2003). The minimum-weight triangulation of its rim closes
-//! a hole. On request a blend (`crate::blend`) takes its place: triangles as fine as those round
-//! the hole, the new vertices faired so that the patch continues the surface. One patch may close several
-//! loops.
+//! Liepa, *Filling holes in meshes* (2003). A hole is closed by the minimum-weight triangulation of
+//! its rim. On request a blend (`crate::blend`) replaces it: triangles as fine as those around the
+//! hole, with new vertices faired so that the patch continues the surface. One patch may close
+//! several loops.
 //!
 //! | file | subject |
 //! |---|---|
@@ -12,20 +12,20 @@
 //! | [`choose`](self) | selection of the loops to fill |
 //! | [`near`](self) | the old faces near the holes |
 //! | [`surroundings`](self) | the old faces that touch the rims |
-//! | [`patch_rim`](self) | the loops of one patch in numbers of their own |
-//! | [`weigh`](self) | what a triangulation costs |
-//! | [`chords`](self) | the chords that it may use |
+//! | [`patch_rim`](self) | the loops of one patch with their own vertex numbers |
+//! | [`weigh`](self) | the cost of a triangulation |
+//! | [`chords`](self) | the chords of a triangulation |
 //! | [`search`](self) | the triangulation of least cost |
-//! | [`loops`](self) | several loops, one patch |
+//! | [`loops`](self) | several loops closed by one patch |
 //! | [`clip`](self) | ear clipping of long planar loops |
-//! | [`creases`](self) | creases that go on across a hole |
-//! | [`patch`](self) | the ways to fill one rim |
+//! | [`creases`](self) | creases continued across a hole |
+//! | [`patch`](self) | the attempts to fill one rim |
 //! | [`placed`](self) | patches in the mesh |
-//! | [`patch_cuts`](self) | faces that cut each other |
-//! | [`groups`](self) | the loops that get one patch |
+//! | [`patch_cuts`](self) | intersecting faces |
+//! | [`groups`](self) | the loops that share a patch |
 //! | [`cheapest`](self) | the loops that cost less together |
 //! | [`filling`](self) | all patches |
-//! | [`result`](self) | the patches appended to the mesh, accounts |
+//! | [`result`](self) | the patches appended to the mesh, reports |
 //! | [`holes`](self) | the steps in order |
 
 mod cheapest;

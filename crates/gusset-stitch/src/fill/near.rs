@@ -1,4 +1,4 @@
-//! The old faces near the holes: one pass over all faces, for all holes together.
+//! Finds the old faces near the holes, in one pass over all faces for all holes.
 
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -10,13 +10,13 @@ use gusset_mesh::MeshView;
 use std::cell::Cell;
 use std::ops::Range;
 
-/// Faces looked at by a thread at a time.
+/// Number of faces that a thread examines at a time.
 const CHUNK: usize = 1 << 14;
 
 const STAGE: &str = "looking round the holes";
 
-/// The faces whose boxes meet one of `boxes`, in ascending order. O(F log n) for F faces and n
-/// boxes; extra memory: 4 bytes a face that is found, and about 200 a box.
+/// Returns the faces whose boxes meet one of `boxes`, in ascending order. O(F log n) for F faces
+/// and n boxes; extra memory: 4 bytes per returned face, and about 200 per box.
 pub(super) fn faces_near(mesh: &MeshView<'_>, boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<u32>> {
     let order = spatial_order(boxes, 1, &job.part(0.0, 0.1), STAGE)?;
     let job = job.part(0.1, 1.0);

@@ -1,5 +1,5 @@
-//! The patch of one rim: its triangulation, and a blend in its place if new vertices are asked for,
-//! in as many ways as may be tried.
+//! The patch of one rim: its triangulation, or a blend if new vertices are requested, by a sequence
+//! of attempts.
 
 use super::clip::{clip_ears, is_planar, mean_normal};
 use super::creases::{Division, divide};
@@ -16,38 +16,38 @@ use gusset_base::geom::Aabb;
 use gusset_base::geom::triangle_places::nearest_places;
 use gusset_base::job::Job;
 
-/// New vertices of a hole at the most, by an estimate, if the caller says nothing.
+/// Estimated limit on the new vertices of a hole, if the caller sets none.
 const MAX_NEW_VERTICES: u32 = 50_000;
-/// New vertices for each of the rim's that sharp angles there may ask for, if the caller says
-/// nothing.
+/// Limit on the new vertices that sharp angles at the rim may request, per rim vertex, if the
+/// caller sets none.
 const MAX_NEW_AT_RIM: u32 = 4;
-/// How blends are faired, one way after the other until nothing cuts.
+/// The fairing attempts for blends, in order, until nothing intersects.
 const WAYS: [Way; 4] = [
     Way { rounds: 4, unfolds: false },
     Way { rounds: 4, unfolds: true },
     Way { rounds: 1, unfolds: true },
     Way::UNFAIRED,
 ];
-/// Faired vertices stay in the box round the rim, larger on all sides by this part of its diagonal.
+/// Faired vertices stay in the rim's box, enlarged on all sides by this fraction of its diagonal.
 pub(super) const MAX_BULGE: f64 = 0.5;
 
-/// One way to fill a hole.
+/// One attempt to fill a hole.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Attempt {
     pub(super) weight: Weight,
-    /// How the blend is faired; `None`: no new vertices.
+    /// How the blend is faired; `None` for a patch without new vertices.
     way: Option<Way>,
-    /// Creases of the old surface go on; if there are none, this is no way.
+    /// True if creases of the old surface are continued. Without creases the attempt fails.
     creased: bool,
 }
 
 impl Attempt {
-    /// True of patches with new vertices.
+    /// Returns true if the patch has new vertices.
     pub(super) fn is_blend(self) -> bool {
         self.way.is_some()
     }
 
-    /// What comes of it.
+    /// Returns the construction of the resulting patch.
     pub(super) fn finish(self) -> Finish {
         match self.way {
             None => Finish::Plain,
@@ -57,7 +57,7 @@ impl Attempt {
     }
 }
 
-/// The ways that options allow, the one that they ask for first.
+/// Returns the attempts that the options allow, the requested one first.
 pub(super) fn attempts(options: &Options) -> Vec<Attempt> {
     let mut weights = vec![options.weight];
     weights.extend(Weight::CHOICES.values.iter().copied().filter(|&weight| weight != options.weight));
@@ -77,26 +77,26 @@ pub(super) fn attempts(options: &Options) -> Vec<Attempt> {
     ways
 }
 
-/// The rim's vertices keep their numbers in the [`Rim`], and `points` come after them.
+/// A patch. The rim's vertices keep their numbers in the [`Rim`], and `points` come after them.
 pub(super) struct Patch {
-    /// The new vertices, in the rim's unit from its origin.
+    /// The new vertices, in the rim's unit and from its origin.
     pub(super) points: Vec<DVec3>,
-    /// Where they would be without fairing: on the triangles of the first triangulation, or, between
-    /// creases, near them.
+    /// Their positions without fairing: on the triangles of the initial triangulation, or between
+    /// creases, near these triangles.
     pub(super) unfaired: Vec<DVec3>,
-    /// The first triangulation.
+    /// The initial triangulation.
     pub(super) coarse: Vec<[u32; 3]>,
     /// The new faces.
     pub(super) triangles: Vec<[u32; 3]>,
 }
 
-/// Plans how one rim is filled.
+/// Builds patches for one rim.
 pub(super) struct Planner<'a, T: Fn(u32, u32) -> bool> {
     rim: &'a Rim,
     options: &'a Options,
-    /// True of two vertices of the rim that must not get an edge.
+    /// Returns true if two rim vertices must not get an edge.
     taken: &'a T,
-    /// The last triangulation, and what blends of it begin with.
+    /// The last triangulation, and the plan of the blends based on it.
     coarse: Option<(Weight, Vec<[u32; 3]>)>,
     plan: Option<blend::Plan<&'a T>>,
 }
@@ -106,16 +106,16 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
         Planner { rim, options, taken, coarse: None, plan: None }
     }
 
-    /// True if the last patch had no triangulation.
+    /// Returns true if the last patch had no triangulation.
     pub(super) fn is_stuck(&self) -> bool {
         self.coarse.is_none()
     }
 
-    /// The patch; `None` if every triangulation would have an edge that is taken, if none was found
-    /// that closes several loops, or if the patch would leave the neighbourhood of its rim.
+    /// Builds the patch. Returns `None` if no triangulation is found without a taken edge, or if
+    /// the patch would leave the neighbourhood of its rim.
     ///
-    /// O(n^3) for a rim of n <= 128 vertices, O(n log n) for longer ones. Refinement and fairing of m
-    /// new vertices: O(m log m), and O(m^1.5) for the sparse factor.
+    /// O(n^3) for a rim of n <= 128 vertices, O(n log n) for longer ones. Refinement and fairing of
+    /// m new vertices: O(m log m), and O(m^1.5) for the sparse factor.
     pub(super) fn patch(&mut self, attempt: Attempt, job: &Job<'_>) -> Result<Option<Patch>> {
         let rim = self.rim;
         if self.coarse.as_ref().is_none_or(|&(weight, _)| weight != attempt.weight) {
@@ -127,7 +127,7 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
             return Ok(None);
         };
         if attempt.creased {
-            return self.creased(attempt, coarse, &job.part(0.4, 1.0));
+            return self.creased_patch(attempt, coarse, &job.part(0.4, 1.0));
         }
         if let (Refinement::RimDensity(limit), None, true) =
             (self.options.refinement, &self.plan, attempt.way.is_some())
@@ -136,7 +136,7 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
             self.plan = blend::Plan::new(
                 rim.old_ring(self.options.continuity)?,
                 copy,
-                limits(limit),
+                vertex_limits(limit),
                 self.taken,
                 &job.part(0.4, 0.6),
             )?;
@@ -156,21 +156,21 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
         if way != Way::UNFAIRED {
             return Ok(Some(Patch { points: made.points, unfaired: made.unfaired, coarse, triangles: made.triangles }));
         }
-        // Flips and moves cut the corners of a bent triangulation: back to it, so that each vertex
-        // is where the vertices that it comes from say.
+        // Flips and moves cut the corners of a bent triangulation. Project the vertices back onto
+        // it, so that each lies at the weighted mean of its parents.
         let points = on_triangles(&rim.points[..rim.count], &coarse, &made.points, &job.part(1.0, 1.0))?;
         Ok(Some(Patch { unfaired: alloc::copied(&points)?, points, coarse, triangles: made.triangles }))
     }
 
-    /// The patch of parts between creases; `None` if none go on, too. `whole`: the first triangulation
-    /// of the hole, which says what new vertices come from.
-    fn creased(&self, attempt: Attempt, whole: &[[u32; 3]], job: &Job<'_>) -> Result<Option<Patch>> {
+    /// Builds the patch from parts between creases; `None` if no creases continue. `whole` is the
+    /// initial triangulation of the hole, which defines the parents of new vertices.
+    fn creased_patch(&self, attempt: Attempt, whole: &[[u32; 3]], job: &Job<'_>) -> Result<Option<Patch>> {
         let rim = self.rim;
         let limits = match self.options.refinement {
-            Refinement::RimDensity(limit) if attempt.way.is_some() => Some(limits(limit)),
+            Refinement::RimDensity(limit) if attempt.way.is_some() => Some(vertex_limits(limit)),
             _ => None,
         };
-        // Half of them for the parts.
+        // Half of the new vertices are for the parts.
         let Some(Division { points, parts }) = divide(rim, self.taken, limits.map(|limits| limits.new / 2))? else {
             return Ok(None);
         };
@@ -213,13 +213,13 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
     }
 }
 
-/// How many new vertices a hole gets; `limit`: the caller's, or 0.
-fn limits(limit: u32) -> Limits {
+/// Returns the limits on new vertices for the caller's `limit`, or for 0.
+fn vertex_limits(limit: u32) -> Limits {
     let [new, at_rim] = if limit == 0 { [MAX_NEW_VERTICES, MAX_NEW_AT_RIM] } else { [limit, 0] };
     Limits { new, at_rim, growth: f64::INFINITY }
 }
 
-/// The places on triangles that are nearest to points.
+/// Returns the nearest point on the triangles for each point.
 fn on_triangles(rim: &[DVec3], triangles: &[[u32; 3]], points: &[DVec3], job: &Job<'_>) -> Result<Vec<DVec3>> {
     let places = nearest_places(rim, triangles, points, "refining", job)?;
     let at = |v: u32| rim[v as usize];
@@ -231,13 +231,13 @@ fn is_near(rim: &Rim, points: &[DVec3]) -> bool {
     points.iter().all(|&p| room.outside(p) == DVec3::ZERO)
 }
 
-/// What no patch leaves.
+/// Returns the box that no patch leaves.
 pub(super) fn neighbourhood(rim: &[DVec3]) -> Aabb {
     let around = Aabb::from_points(rim);
     around.inflated(MAX_BULGE * around.diagonal())
 }
 
-/// The triangulation of least weight; `None` if none was found without an edge that is taken.
+/// Returns the triangulation of least weight; `None` if none is found without a taken edge.
 pub(super) fn triangulate(
     rim: &Rim,
     weight: Weight,
@@ -250,29 +250,29 @@ pub(super) fn triangulate(
     };
     let points = polygon.points.as_slice();
     let n = points.len();
-    // Without overlaps a planar triangulation has the least area, too.
+    // A planar triangulation without overlaps also has the least area.
     let planar = matches!(weight, Weight::Continuation | Weight::Area) && is_planar(points, mean_normal(points));
     if planar
         && n > MAX_EXACT
         && let Some(triangles) = clip_ears(points, taken, &job.part(0.0, 0.1))?
     {
-        return relaxed(points, triangles, taken, &job.part(0.1, 1.0)).map(Some);
+        return flip_to_delaunay(points, triangles, taken, &job.part(0.1, 1.0)).map(Some);
     }
-    // On a plane the surface beyond the rim has no say.
+    // On a plane, the surface beyond the rim does not matter.
     let weight = if planar { Weight::Area } else { weight };
     let found = minimum_weight(polygon, weight, &|i, k| taken(i as u32, k as u32), &job.part(0.1, 1.0))?;
     let Some(triangles) = found else {
-        // Of a long rim only chords in bands were tried.
+        // For a long rim, only chords in bands were tried.
         return if n > MAX_EXACT { clip_ears(points, taken, &job.part(1.0, 1.0)) } else { Ok(None) };
     };
     if planar {
-        return relaxed(points, triangles, taken, &job.part(1.0, 1.0)).map(Some);
+        return flip_to_delaunay(points, triangles, taken, &job.part(1.0, 1.0)).map(Some);
     }
     Ok(Some(triangles))
 }
 
-/// Flipped to Delaunay's rule.
-fn relaxed(
+/// Flips edges to the Delaunay criterion.
+fn flip_to_delaunay(
     points: &[DVec3],
     triangles: Vec<[u32; 3]>,
     taken: &dyn Fn(u32, u32) -> bool,

@@ -1,4 +1,4 @@
-//! Faces of patches that cut each other or old faces.
+//! Intersections of patches with each other and with old faces.
 
 use super::placed::{Placed, Pool};
 use crate::intersect::{Soup, intersecting_pairs};
@@ -14,14 +14,15 @@ use gusset_mesh::MeshView;
 const REPORT_INTERVAL: usize = 1 << 16;
 
 /// The old faces near the holes, as triangles.
-pub(super) struct Old {
+pub(super) struct OldTriangles {
     corners: Vec<[u32; 3]>,
     faces: Vec<u32>,
 }
 
-impl Old {
-    /// Quads are split by their shorter diagonals, other polygons as fans from their first corners.
-    pub(super) fn new(mesh: &MeshView<'_>, near: &[u32], job: &Job<'_>) -> Result<Old> {
+impl OldTriangles {
+    /// Splits quads along the shorter diagonal, and other polygons as fans from their first
+    /// corners.
+    pub(super) fn new(mesh: &MeshView<'_>, near: &[u32], job: &Job<'_>) -> Result<OldTriangles> {
         let at = |v: u32| mesh.positions().get(v);
         let (mut corners, mut faces, mut face) = (Vec::new(), Vec::new(), Vec::new());
         for (k, &f) in near.iter().enumerate() {
@@ -36,11 +37,12 @@ impl Old {
                 alloc::push(&mut faces, f)?;
             }
         }
-        Ok(Old { corners, faces })
+        Ok(OldTriangles { corners, faces })
     }
 
-    /// Pairs of faces of the result for pairs of triangles of `patches`, numbered through, and after
-    /// them the old ones: the larger number first, which is a patch's; each pair once, ascending.
+    /// Converts pairs of triangles to pairs of faces of the result. The triangles of `patches` are
+    /// numbered consecutively, and the old triangles follow. The larger number comes first, and is
+    /// a patch's face. Each pair occurs once, in ascending order.
     pub(super) fn faces_of(&self, pairs: &[[u32; 2]], patches: &[Placed], first_new: u32) -> Result<Vec<[u32; 2]>> {
         let count: usize = patches.iter().map(|patch| patch.triangles.len()).sum();
         let face = |t: u32| match (t as usize).checked_sub(count) {
@@ -56,16 +58,21 @@ impl Old {
     }
 }
 
-/// The pairs of triangles that cut each other and of which at least one is a patch's: those of the
-/// patches are numbered through, the old ones come after them.
-pub(super) fn cuts(pool: &Pool<'_>, patches: &[Placed], old: &Old, job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
+/// Finds the pairs of intersecting triangles with at least one patch triangle. The triangles of the
+/// patches are numbered consecutively, and the old triangles follow.
+pub(super) fn find_cuts(
+    pool: &Pool<'_>,
+    patches: &[Placed],
+    old: &OldTriangles,
+    job: &Job<'_>,
+) -> Result<Vec<[u32; 2]>> {
     let mut new = alloc::with_capacity(patches.iter().map(|patch| patch.triangles.len()).sum())?;
     patches.iter().for_each(|patch| new.extend_from_slice(&patch.triangles));
     intersecting_pairs(&Soup { at: |v| pool.scaled(v), new: &new, old: &old.corners }, job)
 }
 
-/// The patches that have triangles among pairs of [`cuts`], ascending.
-pub(super) fn cutting(pairs: &[[u32; 2]], patches: &[Placed]) -> Result<Vec<usize>> {
+/// Returns the patches with triangles among pairs of [`find_cuts`], ascending.
+pub(super) fn cutting_patches(pairs: &[[u32; 2]], patches: &[Placed]) -> Result<Vec<usize>> {
     let mut ends = alloc::with_capacity(patches.len())?;
     for patch in patches {
         ends.push(ends.last().unwrap_or(&0) + patch.triangles.len());
@@ -76,16 +83,16 @@ pub(super) fn cutting(pairs: &[[u32; 2]], patches: &[Placed]) -> Result<Vec<usiz
     Ok(found)
 }
 
-/// Answers how often single patches cut.
+/// Counts the intersections of single patches.
 pub(super) struct Trials<'a> {
-    old: &'a Old,
-    /// Over boxes of single old triangles.
+    old: &'a OldTriangles,
+    /// Boxes of single old triangles.
     triangles: Boxes,
-    /// Over those that patches stay in.
+    /// Boxes that contain the patches.
     rooms: Boxes,
 }
 
-/// A tree over single boxes, in this order.
+/// A tree over boxes in spatial order.
 struct Boxes {
     tree: BoxTree,
     order: Vec<u32>,
@@ -100,17 +107,17 @@ impl Boxes {
         Ok(Boxes { tree, order })
     }
 
-    /// The boxes that overlap one.
-    fn at(&self, around: &Aabb, mut found: impl FnMut(usize) -> Result<()>) -> Result<()> {
-        self.tree.overlapping(around, 0.0, |leaf| self.order.get(leaf).map_or(Ok(()), |&k| found(k as usize)))
+    /// Visits the boxes that overlap a box.
+    fn each_overlapping(&self, around: &Aabb, mut visit: impl FnMut(usize) -> Result<()>) -> Result<()> {
+        self.tree.overlapping(around, 0.0, |leaf| self.order.get(leaf).map_or(Ok(()), |&k| visit(k as usize)))
     }
 }
 
 impl<'a> Trials<'a> {
-    /// `rooms`: of each patch, what it stays in, whichever way it is made. O(n log n) for n old
-    /// triangles and patches.
-    pub(super) fn new(pool: &Pool<'_>, old: &'a Old, rooms: &[Aabb], job: &Job<'_>) -> Result<Self> {
-        let boxes = old.corners.iter().map(|triangle| Aabb::from_points(triangle.map(|v| pool.at(v))));
+    /// Builds the trees. `rooms` has a box for each patch that contains every attempt at it. O(n
+    /// log n) for n old triangles and patches.
+    pub(super) fn new(pool: &Pool<'_>, old: &'a OldTriangles, rooms: &[Aabb], job: &Job<'_>) -> Result<Self> {
+        let boxes = old.corners.iter().map(|triangle| Aabb::from_points(triangle.map(|v| pool.position(v))));
         let boxes = alloc::collect_cancellable(boxes, &job.part(0.0, 0.0), "looking for intersections")?;
         Ok(Trials {
             old,
@@ -119,8 +126,8 @@ impl<'a> Trials<'a> {
         })
     }
 
-    /// How many pairs of triangles cut each other if `patch` takes the place of patch `k`: its own,
-    /// and its with others.
+    /// Counts the pairs of intersecting triangles if `patch` replaces patch `k`: pairs within the
+    /// patch, and pairs with other triangles.
     pub(super) fn count(
         &self,
         pool: &Pool<'_>,
@@ -129,11 +136,11 @@ impl<'a> Trials<'a> {
         patch: &Placed,
         job: &Job<'_>,
     ) -> Result<usize> {
-        // The unit is a power of two, and what is far below it became 0.
+        // Enlarge the box: scaling by the unit, a power of two, may round tiny coordinates to 0.
         let around = patch.around.inflated(f64::MIN_POSITIVE * pool.unit);
         let mut others = Vec::new();
-        self.triangles.at(&around, |t| alloc::push(&mut others, self.old.corners[t]))?;
-        self.rooms.at(&around, |j| {
+        self.triangles.each_overlapping(&around, |t| alloc::push(&mut others, self.old.corners[t]))?;
+        self.rooms.each_overlapping(&around, |j| {
             let other = &patches[j];
             if j != k && other.around.overlaps(&around) { alloc::append(&mut others, &other.triangles) } else { Ok(()) }
         })?;

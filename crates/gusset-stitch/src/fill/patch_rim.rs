@@ -1,4 +1,4 @@
-//! The loops that one patch closes and what lies round them, in numbers of its own.
+//! The loops of one patch and the faces around them, with their own vertex numbers.
 
 use super::weigh::Polygon;
 use crate::blend::{Beyond, MAX_FAN_TRIANGLES, OldRing};
@@ -8,34 +8,35 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::scale::common_unit;
 
-/// The rim of a patch: the vertices of its loops from 0 on, loop by loop, each in the direction in
-/// which new faces run along it (the surface is on the right), and then the other old vertices.
+/// The rim of a patch. The vertices of its loops come first, loop by loop, in the direction in
+/// which new faces run along the loop (with the surface on the right). The other old vertices
+/// follow.
 pub(super) struct Rim {
-    /// How many vertices the rim has.
+    /// The number of rim vertices.
     pub(super) count: usize,
-    /// How many of them each loop has.
+    /// The number of vertices of each loop.
     pub(super) lengths: Vec<usize>,
-    /// One of the rim's points is the origin of the others, in this unit.
+    /// The coordinates are relative to this origin, one of the rim's points, in this unit.
     pub(super) origin: DVec3,
     pub(super) unit: f64,
-    /// The rim's points and the other old vertices', from there.
+    /// The rim's points and the other old points.
     pub(crate) points: Vec<DVec3>,
     /// The old faces with a vertex on the rim, as triangles.
     pub(super) around: Vec<[u32; 3]>,
-    /// Those next to these, as triangles; empty if no curvature is asked for.
+    /// The old faces next to these, as triangles; empty for tangent continuity.
     pub(super) beyond: Vec<[u32; 3]>,
     /// The sides of `around`, face by face.
     pub(super) sides: Vec<(u32, u32)>,
-    /// The unit normal of the old face at the edge from each rim vertex to the next of its loop; 0
-    /// if it is not known.
+    /// The unit normal of the old face at the edge from each rim vertex to the next; 0 if it is not
+    /// known.
     pub(super) across: Vec<DVec3>,
-    /// The unit normal of the old surface at each rim vertex, 0 if it has none.
+    /// The unit normal of the old surface at each rim vertex; 0 if it is undefined.
     pub(crate) normals: Vec<DVec3>,
-    /// True of the rim vertices that have faces all round once the loops are closed.
+    /// True for rim vertices that have a complete one-ring once the loops are closed.
     pub(super) whole: Vec<bool>,
 }
 
-/// The old faces round a rim; see [`Rim`].
+/// The old faces around a rim; see [`Rim`].
 pub(super) struct OldFaces {
     pub(super) around: Vec<[u32; 3]>,
     pub(super) beyond: Vec<[u32; 3]>,
@@ -43,7 +44,8 @@ pub(super) struct OldFaces {
 }
 
 impl Rim {
-    /// Of the points as the mesh has them; `whole` and `across` of the rim's.
+    /// Creates a rim from points in mesh coordinates. `whole` and `across` describe the rim's
+    /// vertices.
     pub(super) fn new(
         points: &[DVec3],
         lengths: Vec<usize>,
@@ -54,10 +56,11 @@ impl Rim {
         let unit = common_unit(points);
         let origin = points[0] / unit;
         let points = alloc::collect(points.iter().map(|&p| p / unit - origin))?;
-        Rim::placed_at((origin, unit), points, lengths, faces, (across, whole))
+        Rim::from_scaled((origin, unit), points, lengths, faces, (across, whole))
     }
 
-    /// A part of it with one loop, of points in its unit from its origin.
+    /// Creates the rim of a part with one loop, from points in the unit and from the origin of this
+    /// rim.
     pub(super) fn part(
         &self,
         points: Vec<DVec3>,
@@ -66,10 +69,10 @@ impl Rim {
         whole: Vec<bool>,
     ) -> Result<Rim> {
         let lengths = vec![whole.len()];
-        Rim::placed_at((self.origin, self.unit), points, lengths, faces, (across, whole))
+        Rim::from_scaled((self.origin, self.unit), points, lengths, faces, (across, whole))
     }
 
-    fn placed_at(
+    fn from_scaled(
         (origin, unit): (DVec3, f64),
         points: Vec<DVec3>,
         lengths: Vec<usize>,
@@ -89,12 +92,12 @@ impl Rim {
         Ok(Rim { count, lengths, origin, unit, points, around, beyond, sides, across, normals, whole })
     }
 
-    /// Back to the mesh's own coordinates.
-    pub(super) fn placed(&self, p: DVec3) -> DVec3 {
+    /// Converts a point back to mesh coordinates.
+    pub(super) fn to_mesh(&self, p: DVec3) -> DVec3 {
         (p + self.origin) * self.unit
     }
 
-    /// Each loop by itself.
+    /// Returns each loop as a polygon.
     pub(super) fn polygons(&self) -> Result<Vec<Polygon>> {
         let mut first = 0;
         alloc::try_collect(self.lengths.iter().map(|&n| {
@@ -105,14 +108,15 @@ impl Rim {
         }))
     }
 
-    /// How often the curvature of a patch is averaged: so that it spreads over about a third of a
-    /// round hole, the longest loop, which takes the square of as many edges.
-    fn averages(&self) -> u32 {
+    /// Returns the number of smoothing steps for the curvature of a patch. The curvature then
+    /// spreads over about a third of a round hole. The number grows with the square of the longest
+    /// loop's length in edges.
+    fn smoothing_steps(&self) -> u32 {
         let radius = self.lengths.iter().copied().max().unwrap_or(0) as f64 / std::f64::consts::TAU;
         (0.5 * radius * radius).clamp(10.0, 400.0) as u32
     }
 
-    /// What a blend is clamped to.
+    /// Returns the old surface to which a blend is clamped.
     pub(super) fn old_ring(&self, continuity: Continuity) -> Result<OldRing> {
         let mut valence = alloc::filled(0usize, self.points.len())?;
         self.around.as_flattened().iter().for_each(|&v| valence[v as usize] += 1);
@@ -125,12 +129,13 @@ impl Rim {
             centred: alloc::collect(self.whole.iter().zip(&valence).map(is_centre))?,
             rims: alloc::collect(self.lengths.iter().map(|&n| (n, true)))?,
             reach: f64::INFINITY,
-            follows: (continuity == Continuity::C1).then(|| self.averages()),
+            follows: (continuity == Continuity::C1).then(|| self.smoothing_steps()),
             beyond: self.beyond(continuity)?,
         })
     }
 
-    /// Vertices beyond the rim have a Laplacian if the faces that are known go all round them.
+    /// Returns the faces beyond the rim. A vertex outside the rim gets a Laplacian only if its
+    /// one-ring is complete.
     fn beyond(&self, continuity: Continuity) -> Result<Beyond> {
         if continuity == Continuity::C1 {
             return Ok(Beyond::default());

@@ -1,4 +1,4 @@
-//! Patches in the mesh: where their vertices are, and what they come from.
+//! Patches in the mesh: the positions and parents of their vertices.
 
 use super::patch::{Attempt, Patch};
 use super::patch_rim::Rim;
@@ -12,7 +12,7 @@ use gusset_base::job::Job;
 use gusset_mesh::{MeshView, Scalar, check_size};
 use std::ops::Range;
 
-/// The vertices of the mesh, and those of patches, numbered after them.
+/// The vertices of the mesh, and after them the vertices of the patches.
 pub(super) struct Pool<'a> {
     pub(super) mesh: &'a MeshView<'a>,
     /// A power of two near the size of the rims.
@@ -21,34 +21,34 @@ pub(super) struct Pool<'a> {
 }
 
 impl<'a> Pool<'a> {
-    /// `rims`: points of all rims.
+    /// Creates a pool without patches. `rims` has the points of all rims.
     pub(super) fn new(mesh: &'a MeshView<'a>, rims: &[DVec3]) -> Self {
         Pool { mesh, unit: common_unit(rims), points: Vec::new() }
     }
 
-    pub(super) fn at(&self, v: u32) -> DVec3 {
+    pub(super) fn position(&self, v: u32) -> DVec3 {
         match (v as usize).checked_sub(self.mesh.positions().len()) {
             None => self.mesh.positions().get(v),
             Some(k) => self.points[k],
         }
     }
 
-    /// In the unit, which keeps products in range.
+    /// Returns a position divided by the unit, so that products stay in range.
     pub(super) fn scaled(&self, v: u32) -> DVec3 {
-        self.at(v) / self.unit
+        self.position(v) / self.unit
     }
 
-    /// The number after the last.
+    /// Returns the number after the last vertex.
     pub(super) fn end(&self) -> u32 {
         (self.mesh.positions().len() + self.points.len()) as u32
     }
 
-    /// Forgets the vertices of the patch that was placed last.
+    /// Removes the vertices of the last patch.
     pub(super) fn forget(&mut self, patch: &Placed) {
         self.points.truncate(patch.vertices.start as usize - self.mesh.positions().len());
     }
 
-    /// Moves the patch that was placed last to where vertices from `first` on are, which are forgotten.
+    /// Moves the vertices of the last patch down to `first`, and removes the vertices between.
     pub(super) fn move_down(&mut self, patch: &mut Placed, first: u32) {
         let Range { start, end } = patch.vertices;
         let old = self.mesh.positions().len();
@@ -57,7 +57,7 @@ impl<'a> Pool<'a> {
         patch.vertices = first..end - (start - first);
     }
 
-    /// Puts a patch among the others; `names`: the rim's vertices in the mesh.
+    /// Adds a patch. `names` maps the rim's vertices to the mesh.
     pub(super) fn place(
         &mut self,
         rim: &Rim,
@@ -73,13 +73,15 @@ impl<'a> Pool<'a> {
             None => names[v as usize],
             Some(k) => (first + k) as u32,
         };
-        // What is tested is what will be returned, in the result's scalar type.
+        // Round to the scalar type of the result, so that the tested positions are the returned
+        // ones.
         let single = self.mesh.positions().scalar() == Scalar::F32;
         let rounded = |p: DVec3| if single { p.as_vec3().as_dvec3() } else { p };
-        alloc::extend(&mut self.points, patch.points.iter().map(|&p| rounded(rim.placed(p))))?;
+        alloc::extend(&mut self.points, patch.points.iter().map(|&p| rounded(rim.to_mesh(p))))?;
         let own = self.points[self.points.len() - patch.points.len()..].iter().copied();
         let around = Aabb::from_points(names.iter().map(|&v| self.mesh.positions().get(v)).chain(own));
-        // Of the first triangulation's triangle that each lay on, before fairing.
+        // The parents are the corners of the initial triangle that each new vertex lay on before
+        // fairing.
         let mut parents = nearest_places(&rim.points[..rim.count], &patch.coarse, &patch.unfaired, "refining", job)?;
         parents.iter_mut().for_each(|(corners, _)| *corners = corners.map(|v| names[v as usize]));
         let triangles = alloc::collect(patch.triangles.iter().map(|triangle| triangle.map(name)))?;
@@ -87,15 +89,15 @@ impl<'a> Pool<'a> {
     }
 }
 
-/// A patch in the mesh.
+/// A patch with vertices in the pool.
 pub(super) struct Placed {
-    /// Its new vertices, in the pool's numbers.
+    /// The new vertices of the patch.
     pub(super) vertices: Range<u32>,
-    /// Its faces, in the pool's numbers.
+    /// The faces of the patch.
     pub(super) triangles: Vec<[u32; 3]>,
-    /// The box round it, in the mesh's own coordinates.
+    /// The bounding box in mesh coordinates.
     pub(super) around: Aabb,
     pub(super) attempt: Attempt,
-    /// Of each new vertex.
+    /// The parents of each new vertex, with their weights.
     pub(super) parents: Vec<([u32; 3], [f64; 3])>,
 }

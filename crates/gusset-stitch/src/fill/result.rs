@@ -1,5 +1,4 @@
-//! The result: the patches, appended to a copy of the mesh in the order of the loops, and the account
-//! of each loop.
+//! Appends the patches to a copy of the mesh in the order of the loops, and reports on each loop.
 
 use super::choose::Candidate;
 use super::fill_request::{Filled, Finish, Hole, HoleStatus, Options};
@@ -12,23 +11,23 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_mesh::{Mesh, MeshView, NONE, concat};
 
-/// The patches that were made.
+/// The finished patches.
 pub(super) struct Made<'a> {
     pub(super) pool: Pool<'a>,
     /// In the order of the first loops of their groups.
     pub(super) patches: Vec<Placed>,
     /// The candidates that each patch closes.
     pub(super) groups: Vec<&'a [usize]>,
-    /// Pairs of faces of the result that cut each other; `None` if they were not looked for.
+    /// Pairs of intersecting faces of the result; `None` if they were not looked for.
     pub(super) intersections: Option<Vec<[u32; 2]>>,
 }
 
 impl<'a> Made<'a> {
-    pub(super) fn nothing(mesh: &'a MeshView<'a>) -> Self {
+    pub(super) fn empty(mesh: &'a MeshView<'a>) -> Self {
         Made { pool: Pool::new(mesh, &[]), patches: Vec::new(), groups: Vec::new(), intersections: None }
     }
 
-    /// The number of each candidate's patch, or [`NONE`].
+    /// Returns the patch number of each candidate, or [`NONE`].
     fn numbers(&self, candidates: usize) -> Result<Vec<u32>> {
         let mut numbers = alloc::filled(NONE, candidates)?;
         for (group, patch) in self.groups.iter().zip(0..) {
@@ -38,8 +37,13 @@ impl<'a> Made<'a> {
     }
 }
 
-/// Puts the pieces together. O(H) for H half-edges of the result.
-pub(super) fn result(made: Made<'_>, candidates: &[Candidate], options: &Options, job: &Job<'_>) -> Result<Filled> {
+/// Assembles the result. O(H) for H half-edges of the result.
+pub(super) fn build_result(
+    made: Made<'_>,
+    candidates: &[Candidate],
+    options: &Options,
+    job: &Job<'_>,
+) -> Result<Filled> {
     let mesh = made.pool.mesh;
     job.step(0.0, "putting the pieces together")?;
     let counts = made.patches.iter().map(|patch| [patch.vertices.len(), patch.triangles.len()]);
@@ -51,12 +55,12 @@ pub(super) fn result(made: Made<'_>, candidates: &[Candidate], options: &Options
         parents.extend(patch.parents.iter().map(|&(of, _)| of));
         weights.extend(patch.parents.iter().map(|&(_, weights)| weights));
     }
-    let (holes, rims) = accounts(&made, candidates, options, &mut whole)?;
+    let (holes, rims) = hole_reports(&made, candidates, options, &mut whole)?;
     job.step(0.1, "putting the pieces together")?;
     let part = part_alone(&whole, mesh.faces().len(), &job.part(0.1, 0.3))?;
     let outward = if options.plan_only { Outward::Keep } else { options.outward };
     let measured = if outward == Outward::Closed { 0.7 } else { 1.0 };
-    let quality = Quality::of(&whole, &part, &job.part(0.3, measured))?;
+    let quality = Quality::measure(&whole, &part, &job.part(0.3, measured))?;
     let turned_outwards = match outward {
         Outward::Keep => Vec::new(),
         Outward::Closed => turn_outwards(&mut whole, &job.part(measured, 1.0))?.turned,
@@ -65,8 +69,9 @@ pub(super) fn result(made: Made<'_>, candidates: &[Candidate], options: &Options
     Ok(Filled { mesh: whole, holes, rims, parents, weights, intersections, turned_outwards, quality })
 }
 
-/// The account of each loop, and the vertices of all; each patch is appended with its first loop.
-fn accounts(
+/// Reports on each loop, and lists the vertices of all loops. Appends each patch with its first
+/// loop.
+fn hole_reports(
     made: &Made<'_>,
     candidates: &[Candidate],
     options: &Options,
@@ -102,11 +107,11 @@ fn accounts(
     Ok((holes, rims))
 }
 
-/// Appends a patch; the mesh has room for it.
+/// Appends a patch to a mesh with enough capacity.
 fn append(whole: &mut Mesh, pool: &Pool<'_>, patch: &Placed) -> Result<()> {
     let (old, first) = (pool.mesh.positions().len() as u32, whole.positions.len() as u32);
     let name = |v: u32| if v < old { v } else { v - patch.vertices.start + first };
-    whole.positions.extend(patch.vertices.clone().map(|v| pool.at(v)))?;
+    whole.positions.extend(patch.vertices.clone().map(|v| pool.position(v)))?;
     for triangle in &patch.triangles {
         whole.face_corners.extend(triangle.map(name));
         whole.face_offsets.push(whole.face_corners.len() as u32);

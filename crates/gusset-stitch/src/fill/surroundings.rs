@@ -1,5 +1,4 @@
-//! The old faces that touch the rims: which of their vertices share a face, their normals along the
-//! rims, and their sides.
+//! The old faces that touch the rims: shared faces of vertices, normals along the rims, and sides.
 
 use super::patch_rim::{OldFaces, Rim};
 use crate::fair::Continuity;
@@ -11,30 +10,31 @@ use gusset_base::job::Job;
 use gusset_base::sort::sort_distinct;
 use gusset_mesh::{MeshView, NONE};
 
-/// Which old faces touch the rims of all holes.
+/// The old faces that touch the rims of all holes.
 pub(super) struct Surroundings<'a> {
     mesh: &'a MeshView<'a>,
-    /// Per vertex of the mesh, how many loops and chains pass it.
+    /// For each mesh vertex, the number of loops and chains that pass it.
     passes: &'a [u8],
-    /// (rim vertex, face), sorted.
+    /// Sorted pairs (rim vertex, face).
     corners: Vec<(u32, u32)>,
-    /// (vertex of a face that touches a rim, face that touches none), sorted; empty if no curvature
-    /// is asked for.
+    /// Sorted pairs (vertex of a face that touches a rim, face that does not); empty for tangent
+    /// continuity.
     beyond: Vec<(u32, u32)>,
-    /// Per vertex of the mesh, scratch.
+    /// For each mesh vertex, scratch space.
     names: Vec<u32>,
 }
 
-/// Faces between two progress reports; where they are taken for a rim, which is more work, fewer.
+/// Number of faces between two progress reports; smaller where each face takes more work.
 const REPORT_INTERVAL: usize = 1 << 16;
 const FACES_PER_REPORT: usize = 1 << 14;
 
 const STAGE: &str = "looking round the holes";
 
 impl<'a> Surroundings<'a> {
-    /// `near`: faces, ascending; all that touch a rim are among them. For continuous curvature the
-    /// faces next to those are looked for as well, in another pass over all faces. Extra memory: 4
-    /// bytes a vertex of the mesh, 8 a corner at a rim, and 8 a corner of what is next to it.
+    /// Collects the old faces at the rims. `near` lists faces in ascending order, including all
+    /// that touch a rim. For curvature continuity another pass over all faces collects the next
+    /// ring. Extra memory: 4 bytes per mesh vertex, 8 per corner at a rim, and 8 per corner of the
+    /// next ring.
     pub(super) fn new(
         mesh: &'a MeshView<'a>,
         passes: &'a [u8],
@@ -52,7 +52,7 @@ impl<'a> Surroundings<'a> {
         sort_distinct(&mut corners);
         let beyond = match continuity {
             Continuity::C1 => Vec::new(),
-            Continuity::C2 => beyond(mesh, passes, &corners, job)?,
+            Continuity::C2 => faces_beyond(mesh, passes, &corners, job)?,
         };
         Ok(Surroundings { mesh, passes, corners, beyond, names: alloc::filled(NONE, mesh.positions().len())? })
     }
@@ -61,16 +61,17 @@ impl<'a> Surroundings<'a> {
         corners_of(&self.corners, v)
     }
 
-    /// True if a face has both of two rim vertices: as an edge of it, or as a diagonal, which is an
-    /// edge once the face is cut into triangles. O(log n), times the fewer faces at either.
+    /// Returns true if one face has both rim vertices, as an edge or as a diagonal. A diagonal
+    /// becomes an edge when the face is triangulated. O(log n), times the smaller number of faces
+    /// at either vertex.
     pub(super) fn share_face(&self, u: u32, v: u32) -> bool {
         let (few, many) = (self.faces_at(u), self.faces_at(v));
         let (few, many) = if few.len() <= many.len() { (few, many) } else { (many, few) };
         few.iter().any(|&(_, face)| many.binary_search_by_key(&face, |&(_, face)| face).is_ok())
     }
 
-    /// The rim of a patch of loops, each with the surface on the left, and the rim's vertices in
-    /// the mesh; `None` if two of the loops have a vertex in common.
+    /// Returns the rim of a patch and its mesh vertices; `None` if two of the loops share a vertex.
+    /// Each loop has the surface on the left.
     pub(super) fn rim<'b>(
         &mut self,
         loops: impl Iterator<Item = &'b [u32]>,
@@ -81,7 +82,7 @@ impl<'a> Surroundings<'a> {
         let (mut names, mut next, mut lengths) = (Vec::new(), Vec::new(), Vec::new());
         for vertices in loops {
             let (first, n) = (names.len(), vertices.len());
-            alloc::append(&mut names, &turned(mesh, vertices)?)?;
+            alloc::append(&mut names, &reversed_loop(mesh, vertices)?)?;
             alloc::extend(&mut next, (1..=n).map(|i| (first + i % n) as u32))?;
             alloc::push(&mut lengths, n)?;
         }
@@ -98,7 +99,7 @@ impl<'a> Surroundings<'a> {
         }
         let mut faces = Vec::new();
         for (k, &v) in rim.iter().enumerate() {
-            ask_within(k, &job)?;
+            report_within(k, &job)?;
             alloc::extend(&mut faces, self.faces_at(v).iter().map(|&(_, face)| face))?;
         }
         sort_distinct(&mut faces);
@@ -108,14 +109,14 @@ impl<'a> Surroundings<'a> {
         let mut across = alloc::filled(DVec3::ZERO, n)?;
         let mut own = Vec::new();
         for (k, &f) in faces.iter().enumerate() {
-            ask_within(k, &job)?;
-            self.name(f, &mut names, &mut own)?;
+            report_within(k, &job)?;
+            self.number_corners(f, &mut names, &mut own)?;
             let point = |name: u32| mesh.positions().get(names[name as usize]);
-            let area = direction(&own, point);
+            let area = unit_normal(&own, point);
             alloc::extend(&mut around, own[1..].windows(2).map(|pair| [own[0], pair[0], pair[1]]))?;
             for (&u, &v) in own.iter().zip(own.iter().cycle().skip(1)) {
                 alloc::push(&mut sides, (u, v))?;
-                // The old face runs its rim edge against the new ones.
+                // The old face runs along its rim edge in the direction opposite to the new faces.
                 if next.get(v as usize) == Some(&u) {
                     across[v as usize] = area;
                 }
@@ -126,8 +127,8 @@ impl<'a> Surroundings<'a> {
         sort_distinct(&mut next_to);
         let mut beyond = Vec::new();
         for (k, &f) in next_to.iter().enumerate() {
-            ask_within(k, &job)?;
-            self.name(f, &mut names, &mut own)?;
+            report_within(k, &job)?;
+            self.number_corners(f, &mut names, &mut own)?;
             alloc::extend(&mut beyond, own[1..].windows(2).map(|pair| [own[0], pair[0], pair[1]]))?;
         }
         let points = alloc::collect_cancellable(names.iter().map(|&v| mesh.positions().get(v)), &job, STAGE)?;
@@ -137,8 +138,8 @@ impl<'a> Surroundings<'a> {
     }
 }
 
-/// Asks within a long list, at none of a short one.
-fn ask_within(k: usize, job: &Job<'_>) -> Result<()> {
+/// Reports progress within a long list, but not within a short one.
+fn report_within(k: usize, job: &Job<'_>) -> Result<()> {
     if k % FACES_PER_REPORT == FACES_PER_REPORT - 1 { job.step(0.0, STAGE) } else { Ok(()) }
 }
 
@@ -148,8 +149,8 @@ fn corners_of(corners: &[(u32, u32)], v: u32) -> &[(u32, u32)] {
     &corners[start..start + count]
 }
 
-/// The corners of faces that touch no rim, at vertices of those that do.
-fn beyond(mesh: &MeshView<'_>, passes: &[u8], corners: &[(u32, u32)], job: &Job<'_>) -> Result<Vec<(u32, u32)>> {
+/// Returns the corners of faces that touch no rim, at vertices of faces that touch one.
+fn faces_beyond(mesh: &MeshView<'_>, passes: &[u8], corners: &[(u32, u32)], job: &Job<'_>) -> Result<Vec<(u32, u32)>> {
     let mut is_next = alloc::filled(false, mesh.positions().len())?;
     for &(_, f) in corners {
         mesh.face(f as usize).for_each(|v| is_next[v as usize] = true);
@@ -166,8 +167,8 @@ fn beyond(mesh: &MeshView<'_>, passes: &[u8], corners: &[(u32, u32)], job: &Job<
 }
 
 impl Surroundings<'_> {
-    /// The corners of a face by name; vertices that have none get the next ones.
-    fn name(&mut self, face: u32, names: &mut Vec<u32>, corners: &mut Vec<u32>) -> Result<()> {
+    /// Converts the corners of a face to local numbers. New vertices get the next numbers.
+    fn number_corners(&mut self, face: u32, names: &mut Vec<u32>, corners: &mut Vec<u32>) -> Result<()> {
         corners.clear();
         for v in self.mesh.face(face as usize) {
             let name = &mut self.names[v as usize];
@@ -181,9 +182,9 @@ impl Surroundings<'_> {
     }
 }
 
-/// A loop against its direction. It ends with its longest side, of equals that at the first vertex,
-/// wherever the caller's loop begins.
-fn turned(mesh: &MeshView<'_>, vertices: &[u32]) -> Result<Vec<u32>> {
+/// Reverses a loop. The result ends with the longest side. Among equal sides it is the one at the
+/// smallest vertex, so that the first vertex of the given loop does not matter.
+fn reversed_loop(mesh: &MeshView<'_>, vertices: &[u32]) -> Result<Vec<u32>> {
     let mut rim = alloc::collect(vertices.iter().rev().copied())?;
     let length = |i: usize| {
         let [p, q] = [i, (i + 1) % rim.len()].map(|i| mesh.positions().get(rim[i]));
@@ -196,9 +197,9 @@ fn turned(mesh: &MeshView<'_>, vertices: &[u32]) -> Result<Vec<u32>> {
     Ok(rim)
 }
 
-/// The direction of a face's area vector, by Newell's formula, seen from a corner, at a scale of
-/// its own.
-fn direction(face: &[u32], point: impl Fn(u32) -> DVec3) -> DVec3 {
+/// Returns the unit normal of a face by Newell's formula. Coordinates are relative to the first
+/// corner and scaled by the face's own size.
+fn unit_normal(face: &[u32], point: impl Fn(u32) -> DVec3) -> DVec3 {
     let first = point(face[0]);
     let reach = face.iter().map(|&v| (point(v) - first).abs().max_element()).fold(f64::MIN_POSITIVE, f64::max);
     let leg = |v: u32| (point(v) - first) / reach;

@@ -1,15 +1,15 @@
-//! Exact intersection test of two triangles, for coordinates whose products of four neither
-//! overflow nor vanish.
+//! Exact intersection test of two triangles. Products of four coordinates must not overflow or
+//! vanish.
 //!
-//! A vertex or an edge that two triangles share is no intersection, whether it has one number or
-//! lies twice at the same place, as along seams of meshes that were not welded. Any other common
-//! point is, so touching counts. The signs of all determinants are exact, hence so is the answer.
+//! A shared vertex or edge does not count, whether it has one number or two coincident copies, as
+//! along unwelded seams. Any other common point counts, so touching is an intersection. The signs
+//! of all determinants are exact, and so is the result.
 
 use glam::DVec3;
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
-/// Six times the volume of the tetrahedron: its sign says on which side of the plane of p, q, r the
-/// point s lies.
+/// Returns six times the signed volume of the tetrahedron. Its sign tells the side of the plane pqr
+/// on which s lies.
 fn volume(p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> f64 {
     let at = |v: DVec3| Coord3D { x: v.x, y: v.y, z: v.z };
     orient3d(at(p), at(q), at(r), at(s))
@@ -26,12 +26,12 @@ impl AxisProjection {
         orient2d(at(p), at(q), at(r))
     }
 
-    /// Do the segments pq and rs meet, seen along the axis?
+    /// Returns true if the segments pq and rs meet in the projection.
     fn segments_meet(self, p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> bool {
         let (to_r, to_s) = (self.area(p, q, r), self.area(p, q, s));
         let (to_p, to_q) = (self.area(r, s, p), self.area(r, s, q));
         if [to_r, to_s, to_p, to_q] == [0.0; 4] {
-            // On one line: their boxes overlap.
+            // Collinear segments meet if their boxes overlap.
             return (0..3)
                 .filter(|&k| k != self.0)
                 .all(|k| p[k].max(q[k]) >= r[k].min(s[k]) && r[k].max(s[k]) >= p[k].min(q[k]));
@@ -39,7 +39,7 @@ impl AxisProjection {
         !same_side(to_r, to_s) && !same_side(to_p, to_q)
     }
 
-    /// Does segment pq meet the triangle, seen along the axis?
+    /// Returns true if the segment pq meets the triangle in the projection.
     fn segment_meets(self, p: DVec3, q: DVec3, [a, b, c]: [DVec3; 3]) -> bool {
         let inside = [self.area(a, b, p), self.area(b, c, p), self.area(c, a, p)];
         all_on_one_side(inside) || [(a, b), (b, c), (c, a)].iter().any(|&(r, s)| self.segments_meet(p, q, r, s))
@@ -54,12 +54,13 @@ fn all_on_one_side(signs: [f64; 3]) -> bool {
     signs.iter().all(|&s| s >= 0.0) || signs.iter().all(|&s| s <= 0.0)
 }
 
-/// A projection in which the triangle keeps an area; `None` if it has none at all.
+/// Returns a projection in which the triangle has a positive area; `None` for a degenerate
+/// triangle.
 fn projection([a, b, c]: [DVec3; 3]) -> Option<AxisProjection> {
     (0..3).map(AxisProjection).find(|along| along.area(a, b, c) != 0.0)
 }
 
-/// Does the closed segment pq meet the closed triangle?
+/// Returns true if the closed segment pq meets the closed triangle.
 fn segment_meets(p: DVec3, q: DVec3, triangle: [DVec3; 3]) -> bool {
     let [a, b, c] = triangle;
     let (to_p, to_q) = (volume(a, b, c, p), volume(a, b, c, q));
@@ -67,46 +68,47 @@ fn segment_meets(p: DVec3, q: DVec3, triangle: [DVec3; 3]) -> bool {
         return false;
     }
     if to_p != 0.0 || to_q != 0.0 {
-        // It reaches the plane in one point; the lines from it round the triangle all turn the same
-        // way.
+        // The segment meets the plane in one point. The point is inside if pq turns the same way
+        // around all three edges.
         return all_on_one_side([volume(p, q, a, b), volume(p, q, b, c), volume(p, q, c, a)]);
     }
     match projection(triangle) {
         Some(along) => along.segment_meets(p, q, triangle),
-        // A triangle without area is its three edges.
+        // A degenerate triangle consists of its three edges.
         None => [(a, b), (b, c), (c, a)].iter().any(|&(r, s)| segments_meet(p, q, r, s)),
     }
 }
 
 fn segments_meet(p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> bool {
-    // In one plane, and seen along every axis.
+    // The segments are coplanar and meet in every projection.
     volume(p, q, r, s) == 0.0 && (0..3).all(|k| AxisProjection(k).segments_meet(p, q, r, s))
 }
 
-/// Is p on the closed segment rs?
+/// Returns true if p lies on the closed segment rs.
 fn is_on(p: DVec3, r: DVec3, s: DVec3) -> bool {
     segments_meet(p, p, r, s)
 }
 
-/// Do the triangles with vertices `v` and `w` cut each other?
+/// Returns true if the triangles with vertices `v` and `w` intersect.
 pub(super) fn triangles_intersect(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> bool {
-    // What they share by number they share by place, and few triangles get further.
+    // Vertices with equal numbers coincide, and most pairs are decided by the numbers alone.
     intersect(v, w, &at) && {
-        let (same_v, same_w) = by_place(v, w, &at);
+        let (same_v, same_w) = unify_by_position(v, w, &at);
         (same_v, same_w) == (v, w) || intersect(same_v, same_w, &at)
     }
 }
 
-/// The vertices of both, each by the number that came first at its place.
-fn by_place(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> ([u32; 3], [u32; 3]) {
+/// Replaces each vertex by the first vertex at its position.
+fn unify_by_position(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> ([u32; 3], [u32; 3]) {
     let first = |x: u32| v.into_iter().chain(w).find(|&y| at(x) == at(y)).unwrap_or(x);
     (v.map(first), w.map(first))
 }
 
-/// As [`triangles_intersect`], by number. A triangle with a vertex twice is a segment, or a point.
+/// Tests triangles whose coincident vertices have equal numbers. A triangle with a repeated vertex
+/// is a segment or a point.
 fn intersect(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> bool {
     let (p, q) = (v.map(&at), w.map(&at));
-    // Most pairs that are near each other lie apart by the plane of one of them.
+    // The plane of one triangle separates most nearby pairs.
     let apart = |t: [DVec3; 3], from: [u32; 3], others: [u32; 3]| {
         let side =
             |k: usize| if from.contains(&others[k]) { None } else { Some(volume(t[0], t[1], t[2], at(others[k]))) };
@@ -118,7 +120,7 @@ fn intersect(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> bool {
     if count < 2 && (apart(p, v, w) || apart(q, w, v)) {
         return false;
     }
-    // The corners of one that the other does not have.
+    // The corners of one triangle that the other lacks.
     let rest = |t: [u32; 3], other: [u32; 3]| {
         let mut own = t.into_iter().filter(move |x| !other.contains(x)).map(&at);
         own.next().map(|first| (first, own.next().unwrap_or(first)))
@@ -129,8 +131,9 @@ fn intersect(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> bool {
             (0..3).any(|k| segment_meets(edge(p, k).0, edge(p, k).1, q))
                 || (0..3).any(|k| segment_meets(edge(q, k).0, edge(q, k).1, p))
         }
-        // Whatever else they have in common reaches the side opposite the shared vertex of one of
-        // them; of a triangle without area, on whose opposite side that vertex lies, an end of it.
+        // Any other common point reaches the side opposite to the shared vertex in one of the
+        // triangles. If a degenerate triangle has the shared vertex on its opposite side, test the
+        // ends of that side.
         1 => shared().any(|(_, x)| {
             let reaches = |rest: Option<(DVec3, DVec3)>, other: [DVec3; 3]| match rest {
                 Some((a, b)) if is_on(at(x), a, b) => segment_meets(a, a, other) || segment_meets(b, b, other),
@@ -143,12 +146,12 @@ fn intersect(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> bool {
             let mut ends = shared().map(|(_, x)| at(x));
             let (Some(e), Some(f), Some((a, _)), Some((b, _))) = (ends.next(), ends.next(), rest(v, w), rest(w, v))
             else {
-                // One of them is no more than what they share.
+                // One of them is contained in the shared edge.
                 return false;
             };
-            // Folded onto each other: in one plane, and on the same side of the edge.
+            // Folded onto each other: coplanar, and on the same side of the edge.
             let same_side_of_edge = |along: AxisProjection| same_side(along.area(e, f, a), along.area(e, f, b));
-            // On one line: beyond the same end of the edge.
+            // Collinear: beyond the same end of the edge.
             let beyond_same_end = || {
                 projection(q).is_none()
                     && ![a, b].iter().any(|&x| is_on(x, e, f))
@@ -165,14 +168,14 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// An independent answer in integers. The common points are the (s, t, u, v) with p(s, t) =
-    /// q(u, v), 0 <= s, t, s + t <= 1 and the same for u, v: a polytope. Its corners are where four
-    /// independent rows are 0; of each its place as (x, y, z, w), w > 0, the coordinates being x /
-    /// w, y / w and z / w.
-    fn corners_of_what_is_common(p: [[i64; 3]; 3], q: [[i64; 3]; 3]) -> Vec<[i128; 4]> {
+    /// Computes an independent answer in integers. The common points are the solutions (s, t, u, v)
+    /// of p(s, t) = q(u, v), where 0 <= s, t, s + t <= 1, and likewise for u, v. They form a
+    /// polytope. Its corners are the points at which four independent rows are 0. Returns each
+    /// corner as homogeneous coordinates (x, y, z, w), w > 0.
+    fn common_corners(p: [[i64; 3]; 3], q: [[i64; 3]; 3]) -> Vec<[i128; 4]> {
         let edge = |t: [[i64; 3]; 3], corner: usize, k: usize| i128::from(t[corner][k] - t[0][k]);
-        // Rows: coefficients of s, t, u, v and a constant; three that must be 0, and six that must
-        // not be negative.
+        // Rows: coefficients of s, t, u, v and a constant. The first three must be 0, and the other
+        // six non-negative.
         let mut rows: Vec<[i128; 5]> = (0..3)
             .map(|k| [edge(p, 1, k), edge(p, 2, k), -edge(q, 1, k), -edge(q, 2, k), i128::from(p[0][k] - q[0][k])])
             .collect();
@@ -180,7 +183,7 @@ mod tests {
         rows.extend([[0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [0, 0, -1, -1, 1]]);
         let corner = |set: u32| {
             let active: Vec<_> = (0..9).filter(|k| set >> k & 1 == 1).map(|k| rows[k]).collect();
-            // Cramer's rule, without division.
+            // Cramer's rule without division.
             let minor = |column: usize| {
                 let at = |r: usize, c: usize| if c == column { -active[r][4] } else { active[r][c] };
                 determinant(std::array::from_fn(|r| std::array::from_fn(|c| at(r, c))))
@@ -197,9 +200,9 @@ mod tests {
         (0..1u32 << 9).filter(|set| set.count_ones() == 4).filter_map(corner).collect()
     }
 
-    /// Have they more in common than the vertices that lie at the same places, and what is between
-    /// these?
-    fn have_more_in_common(p: [[i64; 3]; 3], q: [[i64; 3]; 3]) -> bool {
+    /// Returns true if the triangles share points other than coincident vertices and the segments
+    /// between these.
+    fn intersect_properly(p: [[i64; 3]; 3], q: [[i64; 3]; 3]) -> bool {
         let mut shared = p.to_vec();
         shared.retain(|corner| q.contains(corner));
         shared.sort_unstable();
@@ -217,7 +220,7 @@ mod tests {
                 _ => false,
             }
         };
-        !corners_of_what_is_common(p, q).iter().all(is_shared)
+        !common_corners(p, q).iter().all(is_shared)
     }
 
     fn determinant(m: [[i128; 4]; 4]) -> i128 {
@@ -232,8 +235,8 @@ mod tests {
     }
 
     proptest! {
-        /// On a small lattice, where touching, lying in one plane, vertices at the same place and
-        /// triangles without area are common.
+        /// Uses a small lattice, on which touching, coplanar, coincident and degenerate triangles
+        /// are common.
         #[test]
         fn equals_the_search_for_a_corner(
             p in prop::array::uniform3((-2i64..3, -2i64..3, -1i64..2)),
@@ -242,16 +245,16 @@ mod tests {
             times in 0usize..3,
         ) {
             let mut all = [p, q].concat();
-            // Often some of them are at the same place.
+            // Often some vertices coincide.
             for k in 0..times {
                 all[3 + k] = all[same[k]];
             }
             let all: Vec<[i64; 3]> = all.into_iter().map(|(x, y, z)| [x, y, z]).collect();
             let points: Vec<DVec3> = all.iter().map(|&[x, y, z]| DVec3::new(x as f64, y as f64, z as f64)).collect();
             let (p, q) = ([all[0], all[1], all[2]], [all[3], all[4], all[5]]);
-            let expected = have_more_in_common(p, q);
+            let expected = intersect_properly(p, q);
             prop_assert_eq!(triangles_intersect([0, 1, 2], [3, 4, 5], |v| points[v as usize]), expected);
-            // By number, where they have numbers in common.
+            // Test again with equal numbers for coincident vertices.
             let number = |k: usize| (0..6).find(|&j| all[j] == all[k]).unwrap_or(k) as u32;
             let by_number = triangles_intersect([0, 1, 2].map(number), [3, 4, 5].map(number), |v| points[v as usize]);
             prop_assert_eq!(by_number, expected);
@@ -259,7 +262,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_shared_is_no_cut() {
+    fn shared_vertices_and_edges_do_not_count() {
         let points = [
             DVec3::ZERO,
             DVec3::X,

@@ -1,9 +1,9 @@
 //! Groups of triangles that share a corner.
 //!
-//! Where many triangles meet at one vertex, no boxes tell them apart there: all pairs of a fan
-//! would be tested. But if all triangles of a group have the vertex, and a plane through it has a
-//! triangle with the same vertex on one side and all other corners of the group on the other, they
-//! share nothing else. Such are the planes through the sides of the triangle, square to it.
+//! Where many triangles meet at one vertex, boxes do not separate them: all pairs of a fan would be
+//! tested. Suppose that all triangles of a group have the vertex. If a plane through it separates a
+//! triangle with the vertex from all other corners of the group, then they share nothing else.
+//! Candidates are the planes through the sides of the triangle, perpendicular to it.
 
 use glam::DVec3;
 use gusset_base::alloc;
@@ -11,25 +11,25 @@ use gusset_base::error::Result;
 use gusset_base::geom::Aabb;
 use gusset_mesh::NONE;
 
-/// What round-off may do to a product, as part of the size of its factors.
+/// Bound on the round-off of a product, relative to the size of its factors.
 const ROUND_OFF: f64 = 1.0 / (1u64 << 40) as f64;
-/// The slope that a triangle's own sides may have against a plane through one of them.
+/// Largest slope of a triangle's own sides against a plane through one of them.
 const OWN_SLOPE: f64 = 1.0 / (1u64 << 46) as f64;
 
-/// For each node of a tree over groups of triangles, the vertex that they share and the box of
+/// For each node of a tree over groups of triangles, the vertex that they share, and the box of
 /// their other corners.
 pub(super) struct Fans(Vec<Fan>);
 
 #[derive(Clone, Copy)]
 struct Fan {
-    /// [`NONE`] if they share no vertex, or more than one.
+    /// [`NONE`] unless they share exactly one vertex.
     apex: u32,
     others: Aabb,
 }
 
 impl Fans {
-    /// Of groups of `group` triangles of `new` in this order; `report` is called with the number of
-    /// each. O(n log n) for n triangles.
+    /// Builds the fans of groups of `group` triangles of `new` in this order. Calls `report` with
+    /// the number of each node. O(n log n) for n triangles.
     pub(super) fn new(
         order: &[u32],
         group: usize,
@@ -38,16 +38,16 @@ impl Fans {
         report: &impl Fn(usize) -> Result<()>,
     ) -> Result<Fans> {
         let leaves = order.len().div_ceil(group).next_power_of_two();
-        // The vertices that all triangles of a node share; nothing said of empty nodes.
+        // The vertices that all triangles of a node share; `None` for empty nodes.
         let mut shared = alloc::filled(None, 2 * leaves)?;
         for (k, (shared, triangles)) in shared[leaves..].iter_mut().zip(order.chunks(group)).enumerate() {
             report(k)?;
-            *shared = triangles.iter().map(|&t| new[t as usize]).reduce(common);
+            *shared = triangles.iter().map(|&t| new[t as usize]).reduce(common_vertices);
         }
         for node in (1..leaves).rev() {
             report(node)?;
             shared[node] = match (shared[2 * node], shared[2 * node + 1]) {
-                (Some(a), Some(b)) => Some(common(a, b)),
+                (Some(a), Some(b)) => Some(common_vertices(a, b)),
                 (a, b) => a.or(b),
             };
         }
@@ -58,7 +58,7 @@ impl Fans {
             if apex == NONE || second != NONE || third != NONE {
                 continue;
             }
-            // The leaves below are consecutive.
+            // The leaves below a node are consecutive.
             let width = leaves >> node.ilog2();
             let first = (node * width - leaves) * group;
             let triangles = &order[first.min(order.len())..(first + width * group).min(order.len())];
@@ -68,8 +68,8 @@ impl Fans {
         Ok(Fans(fans))
     }
 
-    /// True if what a node holds shares with a triangle one of its vertices and nothing else, by
-    /// the planes through its sides there. O(1).
+    /// Returns true if the planes through the sides of a triangle prove that it shares only one
+    /// vertex with the triangles of a node. O(1).
     #[inline]
     pub(super) fn is_beside(&self, node: usize, sides: &Sides) -> bool {
         let fan = &self.0[node];
@@ -86,19 +86,20 @@ impl Fans {
     }
 }
 
-/// The vertices of both, [`NONE`] after them.
-fn common(a: [u32; 3], b: [u32; 3]) -> [u32; 3] {
+/// Returns the common vertices, followed by [`NONE`].
+fn common_vertices(a: [u32; 3], b: [u32; 3]) -> [u32; 3] {
     let mut found = [NONE; 3];
     a.into_iter().filter(|v| *v != NONE && b.contains(v)).zip(&mut found).for_each(|(v, place)| *place = v);
     found
 }
 
-/// The sides of a triangle, and the planes through them that are square to it.
+/// The sides of a triangle, and the perpendicular planes through them.
 pub(super) struct Sides {
     vertices: [u32; 3],
     corners: [DVec3; 3],
-    /// Of the side from each corner to the next: away from the triangle; 0 where round-off would
-    /// leave a part of the triangle beyond.
+    /// For each side, the normal of its plane, pointing away from the triangle. Side k leads from
+    /// corner k to the next. The normal is 0 if round-off would put a part of the triangle beyond
+    /// the plane.
     normals: [DVec3; 3],
     size: f64,
 }
@@ -114,8 +115,8 @@ impl Sides {
         let normals = [0, 1, 2].map(|k| {
             let [side, other] = [1, 2].map(|next| corners[(k + next) % 3] - corners[k]);
             let away = side.cross(normal).normalize_or_zero();
-            // Of a needle the normal is mostly round-off: the slopes of its own sides must be far
-            // below those that others may have.
+            // The normal of a needle is mostly round-off. The slopes of its own sides must be far
+            // below the slopes that others may have.
             let is_sound =
                 away.dot(side).abs() <= OWN_SLOPE * side.length() && away.dot(other) <= OWN_SLOPE * other.length();
             if is_sound { away } else { DVec3::ZERO }
@@ -123,8 +124,8 @@ impl Sides {
         Sides { vertices, corners, normals, size: size(&corners) }
     }
 
-    /// True if another triangle lies strictly beyond one of the sides, but for the ends of that
-    /// side where it has them, too: they share nothing else.
+    /// Returns true if another triangle lies strictly beyond one of the sides, except for common
+    /// ends of that side. The triangles then share nothing else.
     #[inline]
     pub(super) fn are_beside(&self, other: [u32; 3], at: &impl Fn(u32) -> DVec3) -> bool {
         let points = other.map(at);
@@ -145,7 +146,7 @@ mod tests {
     use glam::DVec3;
     use gusset_base::job::Job;
 
-    /// Fans of needles that fold over each other, some round the same apex, some flat.
+    /// Fans of needles that fold over each other, some around the same apex, some flat.
     #[test]
     fn fans_intersect_as_their_triangles_do_pair_by_pair() {
         let mut random = fastrand::Rng::with_seed(3);
@@ -154,7 +155,7 @@ mod tests {
             let n = 40;
             let rise = [0.0, 1e-12, 0.02, 0.5][case as usize % 4];
             let turns = [0.5, 1.0, 2.3][case as usize / 4 % 3];
-            // Two apexes next to each other, and a line round them.
+            // Two apexes next to each other, and a polyline around them.
             let mut points = vec![DVec3::ZERO, DVec3::new(1e-3, 0.0, rise * 1e-3)];
             points.extend((0..=n).map(|k| {
                 let t = turns * std::f64::consts::TAU * f64::from(k) / f64::from(n);

@@ -1,4 +1,4 @@
-//! All pairs of intersecting triangles of which at least one is new.
+//! All pairs of intersecting triangles with at least one new triangle.
 
 use super::predicates::triangles_intersect;
 use super::triangle_fans::{Fans, Sides};
@@ -11,33 +11,35 @@ use gusset_base::geom::oriented_box::OrientedBox;
 use gusset_base::job::Job;
 use gusset_base::par;
 
-/// New triangles in a leaf of the tree of boxes.
+/// Number of new triangles in a leaf of the tree of boxes.
 const LEAF_TRIANGLES: usize = 4;
 
-/// Triangles tested by a thread at a time, and between two progress reports.
+/// Number of triangles that a thread tests at a time.
 const CHUNK: usize = 1 << 9;
+/// Number of triangles between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 15;
 
-/// Leaves met between two progress reports: where all triangles lie together, each meets all.
+/// Number of visited leaves between two progress reports. If all triangles coincide, each visits
+/// all leaves.
 const LEAVES_PER_REPORT: usize = 1 << 11;
 
-/// Groups of triangles between two progress reports while their tree is made.
+/// Number of groups of triangles between two progress reports while the tree is built.
 const GROUPS_PER_REPORT: usize = 1 << 16;
 
 const STAGE: &str = "looking for intersections";
 
-/// New and old triangles over common points, which are in a unit that keeps products in range.
+/// New and old triangles over common points, in a unit that keeps products in range.
 pub(crate) struct Soup<'a, P: Fn(u32) -> DVec3 + Sync> {
-    /// The position of a vertex.
+    /// Returns the position of a vertex.
     pub(crate) at: P,
     /// The new triangles.
     pub(crate) new: &'a [[u32; 3]],
-    /// The old ones to be tested.
+    /// The old triangles to test.
     pub(crate) old: &'a [[u32; 3]],
 }
 
-/// For each node of the tree over groups of triangles in this order, a box turned with them: the
-/// triangles of strips between dense rims are needles, and a box along the axes of one holds
+/// Returns an oriented box for each node of the tree over groups of triangles in this order.
+/// Triangles of strips between dense rims are needles, whose axis-aligned boxes would overlap
 /// thousands of others.
 fn oriented_boxes(order: &[u32], corners: impl Fn(u32) -> [DVec3; 3], job: &Job<'_>) -> Result<Vec<OrientedBox>> {
     let groups = order.chunks(LEAF_TRIANGLES);
@@ -55,12 +57,12 @@ fn oriented_boxes(order: &[u32], corners: impl Fn(u32) -> [DVec3; 3], job: &Job<
     Ok(boxes)
 }
 
-/// The pairs (new, other) of triangles that intersect, in ascending order; old triangle k is
-/// `other` = number of new ones + k. Of two new ones the smaller comes first. See
-/// [`triangles_intersect`] for which pairs count.
+/// Returns the pairs (new, other) of triangles that intersect, in ascending order. Old triangle k
+/// has the index `soup.new.len()` + k. In a pair of two new triangles the smaller index comes
+/// first. See [`triangles_intersect`] for the pairs that count.
 ///
-/// O((n + o) log n + pairs of boxes that overlap) for n new and o old triangles; extra memory about
-/// 200 bytes a new triangle.
+/// O((n + o) log n + overlapping pairs of boxes) for n new and o old triangles; extra memory about
+/// 200 bytes per new triangle.
 pub(crate) fn intersecting_pairs(
     soup: &Soup<'_, impl Fn(u32) -> DVec3 + Sync>,
     job: &Job<'_>,
@@ -68,8 +70,8 @@ pub(crate) fn intersecting_pairs(
     intersecting_pairs_where(soup, &|_, _| true, &|_, _| true, job)
 }
 
-/// [`intersecting_pairs`] of those pairs that are `wanted`, of which those are listed that `list`
-/// says, which is asked of pairs that intersect alone.
+/// Returns the [`intersecting_pairs`] among the `wanted` pairs for which `list` returns true.
+/// `list` is called only for pairs that intersect.
 pub(crate) fn intersecting_pairs_where(
     soup: &Soup<'_, impl Fn(u32) -> DVec3 + Sync>,
     wanted: &(impl Fn(u32, u32) -> bool + Sync),

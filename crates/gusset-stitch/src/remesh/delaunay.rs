@@ -1,4 +1,5 @@
-//! Edge flips to Delaunay's rule: the angles opposite to an edge are at most half a turn together.
+//! Edge flips to the Delaunay criterion: the two angles opposite to an edge sum to at most 180
+//! degrees.
 
 use super::REPORT_INTERVAL;
 use super::patch_mesh::PatchMesh;
@@ -7,23 +8,24 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
-/// Passes over all edges in which flips may follow from flips.
+/// Largest number of passes over all edges, because flips enable further flips.
 const MAX_PASSES: usize = 30;
-/// Flips that may follow from one new vertex.
+/// Largest number of flips after one new vertex.
 const MAX_LOCAL_FLIPS: usize = 200;
-/// An edge is not flipped where the new one would bend by more than the old one did and more than
-/// this: 1 - cosine of 60 degrees.
+/// A flip is rejected if the new edge bends by more than the old one and by more than this: 1 -
+/// cosine of 60 degrees.
 const MAX_BEND: f64 = 0.5;
-/// Angles whose sum exceeds half a turn by less than this are left alone: the sine.
+/// Angles whose sum exceeds 180 degrees by less than this are not flipped; given as a sine.
 const COCIRCULAR: f64 = 1e-9;
-/// No flip makes a triangle whose doubled area is less than this part of its sides' squares.
-const FLAT: f64 = 1e-6;
+/// A flip is rejected if it creates a triangle whose doubled area is below this fraction of its
+/// sides' squares.
+const MAX_FLAT_RATIO: f64 = 1e-6;
 
 impl PatchMesh {
-    /// Flips edges until all keep Delaunay's rule, or the passes are used up. `taken`: true of two
-    /// rim vertices, those below `rim`, that must not get an edge.
+    /// Flips edges until all satisfy the Delaunay criterion, or the passes are used up. `taken`
+    /// returns true if two rim vertices, with numbers below `rim`, must not get an edge.
     ///
-    /// O(triangles) a pass.
+    /// O(triangles) per pass.
     pub(crate) fn relax(&mut self, rim: usize, taken: &dyn Fn(u32, u32) -> bool, job: &Job<'_>) -> Result<()> {
         for pass in 0..MAX_PASSES {
             let pass = job.share(pass, MAX_PASSES);
@@ -41,8 +43,9 @@ impl PatchMesh {
         Ok(())
     }
 
-    /// Flips the sides of `triangles`, and what follows from it: Lawson's algorithm.
-    pub(crate) fn relax_round(
+    /// Flips the sides of `triangles`, and the sides that become illegal in turn: Lawson's
+    /// algorithm.
+    pub(crate) fn relax_around(
         &mut self,
         rim: usize,
         taken: &dyn Fn(u32, u32) -> bool,
@@ -62,8 +65,8 @@ impl PatchMesh {
         Ok(())
     }
 
-    /// Flips side `k` of triangle `t` if the angles opposite to it are more than half a turn
-    /// together; if it did, the triangle beyond.
+    /// Flips side `k` of triangle `t` if its opposite angles sum to more than 180 degrees. Returns
+    /// the triangle across the side if it was flipped.
     pub(crate) fn relax_side(
         &mut self,
         rim: usize,
@@ -75,7 +78,7 @@ impl PatchMesh {
         let [u, v] = [self.triangles[t][(k + 2) % 3], self.triangles[s][(j + 2) % 3]];
         let [p, q] = [self.triangles[t][k], self.triangles[t][(k + 1) % 3]].map(|v| self.points[v as usize]);
         let [c, d] = [u, v].map(|v| self.points[v as usize]);
-        // sin(alpha + beta), up to a positive factor, negative beyond half a turn.
+        // sin(alpha + beta) times a positive factor; negative beyond 180 degrees.
         let legs = [p - c, q - c, p - d, q - d];
         let (sine, other_sine) = (legs[0].cross(legs[1]).length(), legs[2].cross(legs[3]).length());
         let sum = sine * legs[2].dot(legs[3]) + other_sine * legs[0].dot(legs[1]);
@@ -88,7 +91,7 @@ impl PatchMesh {
             return None;
         }
         let new_normals = [(d - p).cross(c - p), (q - d).cross(c - d)];
-        if new_normals.iter().any(|normal| normal.length() <= FLAT * size.sqrt()) {
+        if new_normals.iter().any(|normal| normal.length() <= MAX_FLAT_RATIO * size.sqrt()) {
             return None;
         }
         let bend = |a: DVec3, b: DVec3| 1.0 - a.normalize_or_zero().dot(b.normalize_or_zero());

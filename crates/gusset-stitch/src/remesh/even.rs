@@ -1,4 +1,4 @@
-//! Sides of about the length that is wanted: long ones are halved, short ones collapsed.
+//! Edge lengths close to the sizing: long sides are halved, and short sides collapsed.
 //!
 //! Source: M. Botsch, L. Kobbelt, *A remeshing approach to multiresolution modeling* (2004).
 
@@ -8,26 +8,28 @@ use super::sizing::Sizing;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
-/// Sides that are longer, in sizes, are halved.
+/// Sides longer than this many sizes are halved.
 const MAX_LENGTH: f64 = 1.5;
-/// Sides that are shorter are collapsed.
+/// Sides shorter than this many sizes are collapsed.
 const MIN_LENGTH: f64 = 0.7;
-/// Passes over all sides, with flips between.
+/// Largest number of passes over all sides, with flips between.
 const MAX_PASSES: u32 = 10;
-/// No collapse makes a triangle of less doubled area, as part of the squares of its sides.
-const FLAT: f64 = 0.01;
-/// No collapse turns a triangle by more: the cosine.
-const MIN_TURN: f64 = 0.5;
+/// A collapse is rejected if it creates a triangle whose doubled area is below this fraction of its
+/// sides' squares.
+const MAX_FLAT_RATIO: f64 = 0.01;
+/// A collapse is rejected if it turns a triangle by more than this angle, given as its cosine.
+const MIN_TURN_COSINE: f64 = 0.5;
 
-/// Sides so many times too long are halved before others.
-const MUCH_TOO_LONG: f64 = 8.0;
+/// Sides this many times too long are halved before others.
+const FAR_TOO_LONG: f64 = 8.0;
 
-/// Makes the sides inside the patch as long as `sizing` says, by halving the long ones, which
-/// leaves the surface as it is, and collapsing the short ones. The vertices below `rim` stay. Where
-/// halving long needles would make more vertices than there is room for, sides of twice the length
-/// come first, whose short ones are collapsed before.
+/// Adapts the sides inside the patch to `sizing`. Long sides are halved, which keeps the surface,
+/// and short sides are collapsed. The vertices below `rim` stay.
 ///
-/// O(passes * triangles), for each doubling of the length that comes first.
+/// Halving long needles may need more vertices than the limit. Then sides of twice the length are
+/// made first, and short ones collapsed.
+///
+/// O(passes * triangles) for each such doubling.
 pub(crate) fn even(
     mesh: &mut PatchMesh,
     rim: usize,
@@ -36,7 +38,7 @@ pub(crate) fn even(
     job: &Job<'_>,
 ) -> Result<()> {
     let side = |t: usize, k: usize| mesh.corners(t)[k].distance(mesh.corners(t)[(k + 1) % 3]);
-    let longest = |t: usize| side(t, 0).max(side(t, 1)).max(side(t, 2)) / sizing.of(mesh.triangles[t]);
+    let longest = |t: usize| side(t, 0).max(side(t, 1)).max(side(t, 2)) / sizing.triangle_size(mesh.triangles[t]);
     let halves = (0..mesh.triangles.len()).map(longest).filter(|count| count.is_finite()).sum::<f64>();
     let room = sizing.limit.saturating_sub(mesh.points.len()).max(1) as f64;
     let coarser = libm::ceil(libm::log2(halves / room)).clamp(0.0, 64.0) as usize;
@@ -60,7 +62,7 @@ fn even_once(
     let mut limited = true;
     for pass in 0..MAX_PASSES {
         let part = job.share(pass as usize, MAX_PASSES as usize + 1);
-        // Again if the limit was in the way before something collapsed.
+        // Halve again if the limit stopped the last pass.
         if limited {
             limited = halve(mesh, sizing, &part.part(0.0, 0.5))?;
         }
@@ -69,7 +71,7 @@ fn even_once(
         for t in 0..mesh.triangles.len() {
             part.part(1.0, 1.0).step_every(REPORT_INTERVAL, t, mesh.triangles.len(), "refining")?;
             for k in 0..3 {
-                if !mesh.is_gone(t) && (mesh.triangles[t][k] as usize) >= rim {
+                if !mesh.is_removed(t) && (mesh.triangles[t][k] as usize) >= rim {
                     collapse(mesh, rim, sizing, taken, (t, k), &mut star)?;
                 }
             }
@@ -83,15 +85,15 @@ fn even_once(
     mesh.relax(rim, taken, &job.share(MAX_PASSES as usize, MAX_PASSES as usize + 1))
 }
 
-/// Halves long sides; those that are far too long first, so that opposite sides of long needles are
-/// cut alike. True if the limit was in the way.
+/// Halves long sides, those far too long first, so that opposite sides of long needles are cut
+/// alike. Returns true if the limit was reached.
 fn halve(mesh: &mut PatchMesh, sizing: &mut Sizing, job: &Job<'_>) -> Result<bool> {
     job.step(0.0, "refining")?;
     let longest = (0..mesh.triangles.len())
         .filter_map(|t| longest_inside(mesh, sizing, t).filter(|found| found.1.is_finite()))
         .fold(0.0, |x, y| y.1.max(x));
     let mut length = MAX_LENGTH;
-    while MUCH_TOO_LONG * length < longest {
+    while FAR_TOO_LONG * length < longest {
         length *= 2.0;
     }
     loop {
@@ -116,17 +118,17 @@ fn halve(mesh: &mut PatchMesh, sizing: &mut Sizing, job: &Job<'_>) -> Result<boo
     }
 }
 
-/// The longest side of a triangle, its length in sizes and the side beyond, if it is inside the
-/// patch: beside a longer one on the rim nothing becomes shorter than its half.
+/// Returns the longest side of a triangle, its length in sizes, and the side across, if it is
+/// inside the patch. Halving a shorter side beside a long rim side would not help.
 fn longest_inside(mesh: &PatchMesh, sizing: &Sizing, t: usize) -> Option<(usize, f64, (usize, usize))> {
     let length = |k: usize| mesh.corners(t)[k].distance(mesh.corners(t)[(k + 1) % 3]);
     let k = (0..3).fold(0, |k, j| if length(j) > length(k) { j } else { k });
     let [u, v] = [k, (k + 1) % 3].map(|k| mesh.triangles[t][k]);
-    Some((k, length(k) / sizing.between(u, v), mesh.beyond(t, k)?))
+    Some((k, length(k) / sizing.side_size(u, v), mesh.beyond(t, k)?))
 }
 
-/// Moves corner `k` of triangle `t`, a vertex inside the patch, onto the next corner if they are
-/// too near each other and nothing speaks against it.
+/// Collapses the edge from corner `k` of triangle `t`, a vertex inside the patch, to the next
+/// corner. Does nothing if the edge is long enough, or if the result would be invalid.
 fn collapse(
     mesh: &mut PatchMesh,
     rim: usize,
@@ -137,20 +139,20 @@ fn collapse(
 ) -> Result<()> {
     let [from, onto] = [mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]];
     let [p, q] = [from, onto].map(|v| mesh.points[v as usize]);
-    if p.distance(q) >= MIN_LENGTH * sizing.between(from, onto) || !mesh.round(t, k, star)? || star.len() < 4 {
+    if p.distance(q) >= MIN_LENGTH * sizing.side_size(from, onto) || !mesh.one_ring(t, k, star)? || star.len() < 4 {
         return Ok(());
     }
-    // All neighbours but the two beside the side.
+    // Visit all neighbours except the two beside the collapsed edge.
     for &(s, j) in &star[1..star.len() - 1] {
         let [v, w] = [(j + 1) % 3, (j + 2) % 3].map(|j| mesh.triangles[s][j]);
         let [r, x] = [v, w].map(|v| mesh.points[v as usize]);
         let [old, new] = [(r - p).cross(x - p), (r - q).cross(x - q)];
-        let turns = old.dot(new) < MIN_TURN * old.length() * new.length()
-            || new.length() <= FLAT * (r - x).length_squared().max((r - q).length_squared());
-        // The last one ends at the second vertex beside the side, which has its edge already.
+        let turns = old.dot(new) < MIN_TURN_COSINE * old.length() * new.length()
+            || new.length() <= MAX_FLAT_RATIO * (r - x).length_squared().max((r - q).length_squared());
+        // The last triangle ends at the second vertex beside the edge, whose edge exists already.
         let is_new = s != star[star.len() - 2].0;
         let is_taken = || mesh.has_edge(t, (k + 1) % 3, w) || (w.max(onto) as usize) < rim && taken(w, onto);
-        if turns || is_new && (q.distance(x) > MAX_LENGTH * sizing.between(onto, w) || is_taken()) {
+        if turns || is_new && (q.distance(x) > MAX_LENGTH * sizing.side_size(onto, w) || is_taken()) {
             return Ok(());
         }
     }

@@ -1,12 +1,14 @@
-//! New vertices where triangles are large or sharp: Delaunay refinement.
+//! Insertion of vertices in large or sharp triangles: Delaunay refinement.
 //!
-//! Sources: L. P. Chew, *Guaranteed-quality mesh generation for curved surfaces* (1993); J. Ruppert,
-//! *A Delaunay refinement algorithm for quality 2-dimensional mesh generation* (1995); A. Üngör,
-//! *Off-centers* (2004). A triangle whose circumcircle is larger than its corners' sizes ask for, or
-//! whose least angle is below [`MIN_ANGLE`], gets a vertex at its circumcentre, or nearer, where its
-//! shortest side makes a good triangle with it. The place is found by unfolding the triangles on the
-//! way into one plane. The rim cannot be split: a place that would see one of its edges under a flat
-//! angle is given up.
+//! Sources: L. P. Chew, *Guaranteed-quality mesh generation for curved surfaces* (1993); J.
+//! Ruppert, *A Delaunay refinement algorithm for quality 2-dimensional mesh generation* (1995); A.
+//! Üngör, *Off-centers* (2004).
+//!
+//! A triangle is refined if its circumcircle is too large for the sizes of its corners, or if its
+//! least angle is below [`MIN_ANGLE`]. The new vertex lies at its circumcentre, or nearer, where it
+//! makes a good triangle with the shortest side. The place is found by unfolding the triangles on
+//! the way into one plane. Rim edges cannot be split: a place that would see one under a flat angle
+//! is rejected.
 
 use super::REPORT_INTERVAL;
 use super::patch_mesh::PatchMesh;
@@ -16,40 +18,39 @@ use gusset_base::error::Result;
 use gusset_base::geom::triangle::{double_area, min_angle};
 use gusset_base::job::Job;
 
-/// Triangles with a smaller angle get a vertex, in radians: 25 degrees.
+/// Triangles with a smaller angle are refined; in radians, 25 degrees.
 const MIN_ANGLE: f64 = 25.0 * std::f64::consts::PI / 180.0;
-/// The height over its shortest side, in such sides, of the vertex that makes a good triangle with
-/// it: 0.95 of 1 / (2 tan(MIN_ANGLE / 2)), at which its angle would be [`MIN_ANGLE`] itself, and
-/// round-off would say whether it is sharp.
+/// The height of a good triangle over its shortest side, in lengths of this side. It is 0.95 of 1 /
+/// (2 tan(MIN_ANGLE / 2)). At the full height the angle would be [`MIN_ANGLE`] itself, and
+/// round-off would decide whether it is sharp.
 const OFF_CENTRE: f64 = 0.95 * 2.2553542518310286;
-/// A circumradius that is larger than this part of the size is too large: an equilateral triangle
-/// has 0.577.
+/// Largest circumradius relative to the size; an equilateral triangle has 0.577.
 const MAX_RADIUS: f64 = 0.85;
-/// A side that is longer, in sizes, is too long.
+/// Sides longer than this many sizes are too long.
 const MAX_LENGTH: f64 = 1.5;
-/// Needles whose shortest side is below this part of the size have a large circumcircle, whatever
-/// their length: only that counts.
-const SHORTEST: f64 = 0.3;
-/// A new vertex keeps this distance from others, as part of the shortest side of the triangle that
-/// asked for it.
+/// Needles whose shortest side is below this fraction of the size have a large circumcircle at any
+/// length. Only the longest side counts for them.
+const MIN_SHORTEST_SIDE: f64 = 0.3;
+/// Smallest distance of a new vertex from others, relative to the shortest side of the refined
+/// triangle.
 const MIN_SPACING: f64 = 1.0;
-/// The cosine of the flattest angle under which a new vertex may see an edge of the rim.
+/// The cosine of the flattest angle under which a new vertex may see a rim edge.
 const MIN_RIM_COSINE: f64 = -0.7;
-/// Passes over all triangles.
+/// Largest number of passes over all triangles.
 const MAX_PASSES: u32 = 40;
-/// Triangles on the way to a new vertex.
+/// Largest number of triangles on the way to a new vertex.
 const MAX_WALK: usize = 64;
-/// A place that is nearer to a side than this part of the height splits the side.
+/// A place nearer to a side than this fraction of the height splits the side.
 const ON_SIDE: f64 = 0.05;
 
-/// Where a new vertex goes: a triangle, and barycentric coordinates in it.
+/// The place of a new vertex: a triangle, and barycentric coordinates in it.
 struct Place {
     triangle: usize,
     weights: [f64; 3],
 }
 
-/// Adds vertices until no triangle is larger than its size says nor sharper than [`MIN_ANGLE`], as
-/// far as the rim, the vertices below `rim`, allows. `taken`: see [`PatchMesh::relax`].
+/// Inserts vertices until no triangle is larger than its size or sharper than [`MIN_ANGLE`], as far
+/// as the rim (the vertices below `rim`) allows. For `taken` see [`PatchMesh::relax`].
 ///
 /// O(passes * triangles), times the number of triangles at a vertex.
 pub(crate) fn insert(
@@ -68,10 +69,10 @@ pub(crate) fn insert(
             if mesh.points.len() >= sizing.limit {
                 break;
             }
-            let Some((place, spacing)) = wanted(mesh, t, sizing) else {
+            let Some((place, spacing)) = wanted_vertex(mesh, t, sizing) else {
                 continue;
             };
-            enter(mesh, rim, sizing, taken, &place, spacing)?;
+            insert_vertex(mesh, rim, sizing, taken, &place, spacing)?;
         }
         if mesh.points.len() == before {
             return Ok(());
@@ -80,8 +81,9 @@ pub(crate) fn insert(
     mesh.relax(rim, taken, &job.part(1.0, 1.0))
 }
 
-/// The place of a new vertex that improves triangle `t`, and its least distance from others.
-fn wanted(mesh: &PatchMesh, t: usize, sizing: &Sizing) -> Option<(Place, f64)> {
+/// Returns the place of a new vertex that improves triangle `t`, and its smallest distance from
+/// others.
+fn wanted_vertex(mesh: &PatchMesh, t: usize, sizing: &Sizing) -> Option<(Place, f64)> {
     let corners = mesh.corners(t);
     let side = |k: usize| corners[k].distance(corners[(k + 1) % 3]);
     let sides = [side(0), side(1), side(2)];
@@ -92,19 +94,19 @@ fn wanted(mesh: &PatchMesh, t: usize, sizing: &Sizing) -> Option<(Place, f64)> {
         return None;
     }
     let radius = sides[0] * sides[1] * sides[2] / (2.0 * double);
-    let size = sizing.of(mesh.triangles[t]);
+    let size = sizing.triangle_size(mesh.triangles[t]);
     let longest = sides[0].max(sides[1]).max(sides[2]);
-    let large = longest > MAX_LENGTH * size || (radius > MAX_RADIUS * size && e >= SHORTEST * size);
+    let large = longest > MAX_LENGTH * size || (radius > MAX_RADIUS * size && e >= MIN_SHORTEST_SIDE * size);
     let sharp = || e >= sizing.shortest * size && min_angle(corners[0], corners[1], corners[2]) < MIN_ANGLE;
     if !large && !sharp() {
         return None;
     }
-    // In the plane of the triangle, its shortest side along x.
+    // Use the plane of the triangle, with its shortest side along x.
     let [p, q, r] = [0, 1, 2].map(|k| corners[(shortest + k) % 3]);
     let x = (q - p) / e;
     let flat = |v: DVec3| DVec2::new((v - p).dot(x), ((v - p) - x * (v - p).dot(x)).length());
     let apex = flat(r);
-    // On the bisector of the shortest side, as far up as the circumcentre.
+    // The bisector of the shortest side, up to the circumcentre.
     let up = (apex.length_squared() - apex.x * e) / (2.0 * apex.y);
     let height = up.min(OFF_CENTRE * e);
     let target = DVec2::new(e / 2.0, height);
@@ -112,8 +114,8 @@ fn wanted(mesh: &PatchMesh, t: usize, sizing: &Sizing) -> Option<(Place, f64)> {
     Some((walk(mesh, t, shortest, plane, target)?, MIN_SPACING * e))
 }
 
-/// Follows the unfolded triangles from `t`, whose corners from `first` on are at `plane`, to the one
-/// that holds `target`; `None` if the rim is in the way.
+/// Follows the unfolded triangles from `t` to the triangle that contains `target`. The corners of
+/// `t` from `first` are at `plane`. Returns `None` if the rim is in the way.
 fn walk(mesh: &PatchMesh, mut t: usize, mut first: usize, mut plane: [DVec2; 3], target: DVec2) -> Option<Place> {
     for _ in 0..MAX_WALK {
         let whole = (plane[1] - plane[0]).perp_dot(plane[2] - plane[0]);
@@ -128,7 +130,7 @@ fn walk(mesh: &PatchMesh, mut t: usize, mut first: usize, mut plane: [DVec2; 3],
             (0..3).for_each(|k| own[(first + k) % 3] = weights[k]);
             return Some(Place { triangle: t, weights: own });
         }
-        // Across the side opposite to that corner.
+        // Step across the side opposite to that corner.
         let from = (least + 1) % 3;
         let (s, j) = mesh.beyond(t, (first + from) % 3)?;
         let (p, q) = (plane[from], plane[(from + 1) % 3]);
@@ -144,9 +146,8 @@ fn walk(mesh: &PatchMesh, mut t: usize, mut first: usize, mut plane: [DVec2; 3],
     None
 }
 
-/// Adds a vertex, unless it would be too near to others or see an edge of the rim under a flat
-/// angle.
-fn enter(
+/// Inserts a vertex, unless it would be too near to others, or see a rim edge under a flat angle.
+fn insert_vertex(
     mesh: &mut PatchMesh,
     rim: usize,
     sizing: &mut Sizing,
@@ -175,17 +176,17 @@ fn enter(
     match across {
         Some(beyond) => {
             let parts = mesh.split_side((t, (least + 1) % 3), beyond, point)?;
-            mesh.relax_round(rim, taken, &parts)
+            mesh.relax_around(rim, taken, &parts)
         }
         None => {
             let parts = mesh.split(t, point)?;
-            mesh.relax_round(rim, taken, &parts)
+            mesh.relax_around(rim, taken, &parts)
         }
     }
 }
 
-/// True if a vertex at `point` in triangle `t` is far enough from its corners, and sees no edge of
-/// the rim near them under a flat angle.
+/// Returns true if a vertex at `point` in triangle `t` is far enough from the corners, and sees no
+/// near rim edge under a flat angle.
 fn is_clear(mesh: &PatchMesh, t: usize, point: DVec3, spacing: f64) -> bool {
     let sees_flat = |t: usize| {
         let corners = mesh.corners(t);
@@ -194,5 +195,5 @@ fn is_clear(mesh: &PatchMesh, t: usize, point: DVec3, spacing: f64) -> bool {
             u.dot(v) < MIN_RIM_COSINE * u.length() * v.length()
         })
     };
-    (0..3).all(|k| mesh.corners(t)[k].distance(point) >= spacing && !mesh.any_round(t, k, sees_flat))
+    (0..3).all(|k| mesh.corners(t)[k].distance(point) >= spacing && !mesh.any_around(t, k, sees_flat))
 }

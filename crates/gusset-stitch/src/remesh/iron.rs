@@ -1,5 +1,5 @@
-//! Creases ironed out: where a fine surface folds over itself, its vertices move to the means of
-//! their neighbours, until no side bends by more than is asked.
+//! Smoothing of creases: where a fine surface folds over itself, vertices move to the means of
+//! their neighbours, until no side bends by more than a limit.
 
 use super::REPORT_INTERVAL;
 use super::patch_mesh::PatchMesh;
@@ -9,32 +9,33 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::sort::Buckets;
 
-/// Rounds over all triangles.
+/// Largest number of rounds over all triangles.
 const MAX_ROUNDS: usize = 40;
-/// Rounds after which it is given up if no fewer triangles bend.
+/// The process stops after this number of rounds without fewer bent triangles.
 const MAX_ROUNDS_WITHOUT_GAIN: usize = 8;
-/// Edges from a crease of the rim within which vertices stay: it goes on there.
+/// Vertices within this number of edges from a rim crease stay, because the crease continues there.
 const CREASE_RINGS: usize = 2;
-/// How far a vertex moves towards the mean of its neighbours.
+/// Fraction of the way to the mean of the neighbours that a vertex moves.
 const STEP: f64 = 0.5;
 
 impl PatchMesh {
-    /// Moves the vertices from `rim` on of triangles whose normal has a cosine with that of a
-    /// neighbour below `least`, until none have or that does not help. `creased`: the vertices of
-    /// the rim where a crease of the old surface ends.
+    /// Smooths creases: moves the vertices of triangles whose normal has a cosine below
+    /// `min_cosine` with a neighbour's normal. Stops when there are none, or when it does not help.
+    /// The vertices below `rim` stay. `creased` marks rim vertices at which creases of the old
+    /// surface end.
     ///
-    /// O(triangles) a round.
-    pub(crate) fn iron(&mut self, rim: usize, least: f64, creased: &[bool], job: &Job<'_>) -> Result<()> {
+    /// O(triangles) per round.
+    pub(crate) fn iron(&mut self, rim: usize, min_cosine: f64, creased: &[bool], job: &Job<'_>) -> Result<()> {
         let sides = || self.triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
         let ends = sides().flat_map(|(u, v)| [(u as usize, v), (v as usize, u)]);
         let neighbours = Buckets::new(self.points.len(), 0u32, ends)?;
-        let stays = staying(&neighbours, self.points.len(), creased)?;
+        let stays = fixed_vertices(&neighbours, self.points.len(), creased)?;
         let (mut fewest, mut gained) = (usize::MAX, 0);
         for round in 0..MAX_ROUNDS {
             let round_job = job.share(round, MAX_ROUNDS);
             let mut moves = alloc::filled(false, self.points.len())?;
             let mut count = 0;
-            for t in self.bent(least, &round_job)? {
+            for t in self.bent_triangles(min_cosine, &round_job)? {
                 let free = self.triangles[t].iter().filter(|&&v| !stays[v as usize]);
                 count += usize::from(free.clone().next().is_some());
                 free.for_each(|&v| moves[v as usize] = true);
@@ -54,16 +55,16 @@ impl PatchMesh {
         Ok(())
     }
 
-    /// The triangles whose normal has a cosine below `least` with that of a neighbour; one without
-    /// area has no direction.
-    fn bent(&self, least: f64, job: &Job<'_>) -> Result<Vec<usize>> {
+    /// Returns the triangles whose normal has a cosine below `min_cosine` with a neighbour's.
+    /// Degenerate triangles lack a normal, and are skipped.
+    fn bent_triangles(&self, min_cosine: f64, job: &Job<'_>) -> Result<Vec<usize>> {
         let normals = (0..self.triangles.len()).map(|t| {
             let [a, b, c] = self.corners(t);
             (b - a).cross(c - a).normalize_or_zero()
         });
         let normals = alloc::collect_cancellable(normals, &job.part(0.0, 0.5), "refining")?;
         let is_bent = |t: usize, s: usize| {
-            normals[t].dot(normals[s]) < least && normals[t] != DVec3::ZERO && normals[s] != DVec3::ZERO
+            normals[t].dot(normals[s]) < min_cosine && normals[t] != DVec3::ZERO && normals[s] != DVec3::ZERO
         };
         let job = job.part(0.5, 1.0);
         let mut bent = Vec::new();
@@ -77,8 +78,8 @@ impl PatchMesh {
     }
 }
 
-/// The vertices that stay: the rim, and those near where a crease ends on it.
-fn staying(neighbours: &Buckets<u32>, count: usize, creased: &[bool]) -> Result<Vec<bool>> {
+/// Returns the fixed vertices: the rim, and vertices near the ends of its creases.
+fn fixed_vertices(neighbours: &Buckets<u32>, count: usize, creased: &[bool]) -> Result<Vec<bool>> {
     let mut stays = alloc::filled(false, count)?;
     stays[..creased.len()].copy_from_slice(creased);
     for _ in 0..CREASE_RINGS {

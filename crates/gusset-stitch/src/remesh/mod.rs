@@ -1,14 +1,15 @@
-//! Triangles of a patch inside a rim that stays: splits, flips, and refinement to good angles.
+//! Remeshing of the triangles of a patch inside a fixed rim: splits, flips, and refinement to good
+//! angles.
 //!
-//! | file | what it does |
+//! | file | task |
 //! |---|---|
 //! | [`patch_mesh`](self) | the triangles with their neighbours, and edits of them |
-//! | [`delaunay`](self) | flips to Delaunay's rule |
-//! | [`even`](mod@even) | long sides halved, short ones collapsed |
-//! | [`insert`](self) | new vertices where triangles are large or sharp |
-//! | [`iron`](self) | creases ironed out |
-//! | [`sizing`](self) | how long sides should be |
-//! | [`settle`](self) | vertices moved within the surface to where their triangles are better |
+//! | [`delaunay`](self) | flips to the Delaunay criterion |
+//! | [`even`](mod@even) | long sides are halved, short sides collapsed |
+//! | [`insert`](self) | new vertices in large or sharp triangles |
+//! | [`iron`](self) | creases are smoothed out |
+//! | [`sizing`](self) | the wanted lengths of sides |
+//! | [`settle`](self) | vertices move within the surface to improve their triangles |
 
 mod delaunay;
 mod even;
@@ -20,10 +21,10 @@ mod sizing;
 #[cfg(test)]
 mod tests;
 
-/// Triangles or vertices between two progress reports.
+/// Number of triangles or vertices between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 12;
 
 pub(crate) use even::even;
 pub(crate) use insert::insert;
 pub(crate) use patch_mesh::PatchMesh;
-pub(crate) use sizing::{Sizing, growth, needed};
+pub(crate) use sizing::{Sizing, size_growth, vertices_needed};

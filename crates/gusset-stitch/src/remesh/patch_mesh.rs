@@ -1,5 +1,5 @@
-//! The triangles of a patch with their neighbours, and edits of them: splits of a triangle or a side
-//! and edge flips, each O(1); collapses and walks round a vertex, linear in its triangles.
+//! The triangles of a patch with their neighbours. Splits of a triangle or a side, and edge flips,
+//! take O(1). Collapses and walks around a vertex are linear in its triangles.
 
 use glam::DVec3;
 use gusset_base::alloc;
@@ -8,10 +8,10 @@ use gusset_mesh::NONE;
 
 /// A triangulated patch under construction.
 pub(crate) struct PatchMesh {
-    /// The rim's points first.
+    /// The positions of the vertices, the rim first.
     pub(crate) points: Vec<DVec3>,
     pub(crate) triangles: Vec<[u32; 3]>,
-    /// Across the side from corner k to the next: a triangle, or [`NONE`].
+    /// For each side from corner k to the next, the triangle across it, or [`NONE`].
     across: Vec<[u32; 3]>,
 }
 
@@ -20,7 +20,7 @@ fn next(k: usize) -> usize {
 }
 
 impl PatchMesh {
-    /// O(T log T).
+    /// Pairs the triangles. O(T log T).
     pub(crate) fn new(points: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<PatchMesh> {
         let mut sides = alloc::with_capacity(3 * triangles.len())?;
         for (t, corners) in triangles.iter().enumerate() {
@@ -51,8 +51,8 @@ impl PatchMesh {
         self.triangles[t].map(|v| self.points[v as usize])
     }
 
-    /// The triangle across side `k` of triangle `t` and the side that it is there; `None` at the
-    /// rim.
+    /// Returns the triangle across side `k` of triangle `t`, and the index of the side there;
+    /// `None` at the rim.
     pub(crate) fn beyond(&self, t: usize, k: usize) -> Option<(usize, usize)> {
         let s = self.across[t][k];
         if s == NONE {
@@ -62,7 +62,7 @@ impl PatchMesh {
         (0..3).find(|&j| self.triangles[s as usize][j] == head).map(|j| (s as usize, j))
     }
 
-    /// Replaces triangle `t` by three that meet at `point`: t and the last two. Side 0 of each is
+    /// Splits triangle `t` into three that meet at `point`: t and the last two. Side 0 of each is
     /// one of the old sides.
     pub(crate) fn split(&mut self, t: usize, point: DVec3) -> Result<[usize; 3]> {
         let middle = self.points.len() as u32;
@@ -83,8 +83,8 @@ impl PatchMesh {
         Ok(parts)
     }
 
-    /// Splits side `k` of triangle `t`, which is not at the rim, at `point`: the four triangles at
-    /// the new vertex.
+    /// Splits side `k` of triangle `t`, which is not on the rim, at `point`. Returns the four
+    /// triangles at the new vertex.
     pub(crate) fn split_side(
         &mut self,
         (t, k): (usize, usize),
@@ -109,8 +109,7 @@ impl PatchMesh {
         Ok([t, s, t2, s2])
     }
 
-    /// Turns the side that triangles `t` (its side `k`) and `s` (its side `j`) share into the other
-    /// diagonal.
+    /// Flips the side shared by triangles `t` (its side `k`) and `s` (its side `j`).
     pub(crate) fn flip(&mut self, (t, k): (usize, usize), (s, j): (usize, usize)) {
         let (a, b) = (self.triangles[t][k], self.triangles[t][next(k)]);
         let (c, d) = (self.triangles[t][next(next(k))], self.triangles[s][next(next(j))]);
@@ -122,15 +121,15 @@ impl PatchMesh {
         self.replace(beyond_bc, t as u32, s as u32);
     }
 
-    /// The triangles round corner `k` of triangle `t`, in order, and which corner it is of each; true
-    /// if they go all round.
-    pub(crate) fn round(&self, t: usize, k: usize, star: &mut Vec<(usize, usize)>) -> Result<bool> {
+    /// Lists the triangles around corner `k` of triangle `t` in order, with the index of the corner
+    /// in each. Returns true if the vertex is inside the patch.
+    pub(crate) fn one_ring(&self, t: usize, k: usize, star: &mut Vec<(usize, usize)>) -> Result<bool> {
         star.clear();
         let centre = self.triangles[t][k];
         let mut here = (t, k);
         loop {
             alloc::push(star, here)?;
-            // The side that ends in the centre, which begins there in the triangle beyond.
+            // The side that ends in the centre begins there in the triangle across.
             let Some(beyond) = self.beyond(here.0, next(next(here.1))) else {
                 return Ok(false);
             };
@@ -143,20 +142,20 @@ impl PatchMesh {
         }
     }
 
-    /// True of a triangle that [`PatchMesh::collapse`] took away.
-    pub(crate) fn is_gone(&self, t: usize) -> bool {
+    /// Returns true for a triangle that [`PatchMesh::collapse`] removed.
+    pub(crate) fn is_removed(&self, t: usize) -> bool {
         self.triangles[t][0] == NONE
     }
 
-    /// Moves corner `k` of triangle `t`, whose triangles all round are `star`, onto the next corner.
-    /// The two triangles at the side between them are gone, and so is the vertex.
+    /// Moves corner `k` of triangle `t`, whose one-ring is `star`, onto the next corner. Removes
+    /// the two triangles at the edge between them, and the vertex.
     pub(crate) fn collapse(&mut self, (t, k): (usize, usize), star: &[(usize, usize)]) {
         let onto = self.triangles[t][next(k)];
         for &(s, j) in star {
             self.triangles[s][j] = onto;
         }
         for &(s, j) in [star[0], star[star.len() - 1]].iter() {
-            // The sides that do not vanish: of t after and before the one that does.
+            // The sides that do not vanish: for t, the ones after and before the collapsed side.
             let sides = if s == t { [next(j), next(next(j))] } else { [next(j), j] };
             let [x, y] = sides.map(|side| self.across[s][side]);
             self.replace(x, s as u32, y);
@@ -165,8 +164,8 @@ impl PatchMesh {
         }
     }
 
-    /// Renumbers the triangles that are left and the vertices that they use; those below `rim` stay.
-    /// Of each vertex that is left, its old number.
+    /// Renumbers the remaining triangles and the vertices that they use. Vertices below `rim` keep
+    /// their numbers. Returns the old number of each remaining vertex.
     pub(crate) fn compact(&mut self, rim: usize) -> Result<Vec<u32>> {
         let mut number = alloc::filled(NONE, self.points.len())?;
         self.triangles.retain(|triangle| triangle[0] != NONE);
@@ -184,7 +183,7 @@ impl PatchMesh {
         Ok(kept)
     }
 
-    /// Tells triangle `t` that its neighbour `old` is `new` now.
+    /// Replaces the neighbour `old` of triangle `t` by `new`.
     fn replace(&mut self, t: u32, old: u32, new: u32) {
         if t != NONE {
             for side in self.across[t as usize].iter_mut().filter(|side| **side == old) {
@@ -193,16 +192,16 @@ impl PatchMesh {
         }
     }
 
-    /// True if the patch has an edge from corner `k` of triangle `t` to vertex `v`.
+    /// Returns true if the patch has an edge from corner `k` of triangle `t` to vertex `v`.
     pub(crate) fn has_edge(&self, t: usize, k: usize, v: u32) -> bool {
-        self.any_round(t, k, |s| self.triangles[s].contains(&v))
+        self.any_around(t, k, |s| self.triangles[s].contains(&v))
     }
 
-    /// True if `test` is of a triangle at corner `k` of triangle `t`: one walk round the corner.
-    pub(super) fn any_round(&self, t: usize, k: usize, test: impl Fn(usize) -> bool) -> bool {
+    /// Returns true if `test` holds for a triangle around corner `k` of triangle `t`.
+    pub(super) fn any_around(&self, t: usize, k: usize, test: impl Fn(usize) -> bool) -> bool {
         let centre = self.triangles[t][k];
         let corner = |t: usize| (0..3).find(|&k| self.triangles[t][k] == centre).unwrap_or(0);
-        // First one way, then, if the rim was met, the other way.
+        // Walk in one direction, and then, if the rim was met, in the other.
         for way in 0..2 {
             let mut here = t;
             loop {

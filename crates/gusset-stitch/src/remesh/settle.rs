@@ -1,4 +1,4 @@
-//! Vertices moved within the surface to where the sharpest angle round them is larger.
+//! Vertex moves within the surface that increase the smallest angle around each vertex.
 
 use super::REPORT_INTERVAL;
 use super::patch_mesh::PatchMesh;
@@ -9,12 +9,13 @@ use gusset_base::geom::triangle::min_angle;
 use gusset_base::job::Job;
 use gusset_base::sort::Buckets;
 
-/// Parts of the way that are tried, the largest first.
+/// Fractions of the way to try, the largest first.
 const STEPS: [f64; 3] = [1.0, 0.5, 0.25];
 
 impl PatchMesh {
-    /// Moves each vertex from `rim` on towards the centroid of its neighbours, square to its normal,
-    /// as far as that opens the sharpest angle round it; `rounds` times, with flips between.
+    /// Moves each vertex from `rim` towards the centroid of its neighbours, perpendicular to its
+    /// normal, as far as that increases its smallest angle. Repeats this `rounds` times, with flips
+    /// between.
     pub(crate) fn settle(
         &mut self,
         rim: usize,
@@ -38,7 +39,7 @@ impl PatchMesh {
                             .map(|w| self.points[w as usize])
                     }),
                 )?;
-                self.points[v] = settled(self.points[v], &star);
+                self.points[v] = better_position(self.points[v], &star);
             }
             self.relax(rim, taken, &part.part(0.5, 1.0))?;
         }
@@ -46,8 +47,8 @@ impl PatchMesh {
     }
 }
 
-/// A better place for `point` inside the sides of its `star`.
-fn settled(point: DVec3, star: &[[DVec3; 2]]) -> DVec3 {
+/// Returns a better position for `point` inside the polygon of its `star`.
+fn better_position(point: DVec3, star: &[[DVec3; 2]]) -> DVec3 {
     let least = |point: DVec3| star.iter().map(|&[p, q]| min_angle(point, p, q)).fold(f64::INFINITY, f64::min);
     let area: DVec3 = star.iter().map(|&[p, q]| (p - point).cross(q - point)).sum();
     let normal = area.normalize_or_zero();

@@ -1,4 +1,4 @@
-//! How long the sides of triangles should be, vertex by vertex.
+//! The wanted lengths of the sides of triangles, vertex by vertex.
 
 use super::patch_mesh::PatchMesh;
 use glam::DVec3;
@@ -6,17 +6,17 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::triangle::double_area;
 
-/// What is known of the vertices of a patch besides their places.
+/// The attributes of a patch's vertices besides their positions.
 pub(crate) struct Sizing {
-    /// How long the sides round each should be.
+    /// The wanted length of the sides at each vertex.
     pub(crate) size: Vec<f64>,
-    /// Where each would be if nothing had been faired.
+    /// The position of each vertex without fairing.
     pub(crate) unfaired: Vec<DVec3>,
-    /// How the surface bends there by itself (see [`Shape`](crate::fair::Shape)).
+    /// The rest curvature at each vertex; see [`Shape`](crate::fair::Shape).
     pub(crate) curvature: Vec<DVec3>,
-    /// There will be no more vertices than this.
+    /// The largest number of vertices.
     pub(crate) limit: usize,
-    /// Sharp triangles whose shortest side is below this part of the size are left.
+    /// Sharp triangles whose shortest side is below this fraction of the size are not refined.
     pub(crate) shortest: f64,
 }
 
@@ -26,9 +26,9 @@ impl Sizing {
         Ok(Sizing { size: alloc::copied(&self.size)?, unfaired, curvature, ..*self })
     }
 
-    /// Of a vertex that is about to be added at a mean of three others.
-    pub(super) fn insert(&mut self, of: [u32; 3], weights: [f64; 3]) -> Result<()> {
-        let parts = || of.into_iter().zip(weights).filter(|&(_, weight)| weight > 0.0);
+    /// Appends the attributes of a new vertex at a weighted mean of three others.
+    pub(super) fn insert(&mut self, parents: [u32; 3], weights: [f64; 3]) -> Result<()> {
+        let parts = || parents.into_iter().zip(weights).filter(|&(_, weight)| weight > 0.0);
         let size = parts().map(|(v, weight)| weight * self.size[v as usize]).sum();
         let mean = |of: &[DVec3]| parts().map(|(v, weight)| weight * of[v as usize]).sum::<DVec3>();
         let (unfaired, curvature) = (mean(&self.unfaired), mean(&self.curvature));
@@ -37,7 +37,7 @@ impl Sizing {
         alloc::push(&mut self.curvature, curvature)
     }
 
-    /// Keeps these vertices, in ascending order.
+    /// Keeps only these vertices, in ascending order.
     pub(super) fn keep(&mut self, kept: &[u32]) {
         for (new, &old) in kept.iter().enumerate() {
             self.size[new] = self.size[old as usize];
@@ -49,24 +49,24 @@ impl Sizing {
         self.curvature.truncate(kept.len());
     }
 
-    /// Of a triangle.
-    pub(super) fn of(&self, corners: [u32; 3]) -> f64 {
+    /// Returns the mean size of a triangle.
+    pub(super) fn triangle_size(&self, corners: [u32; 3]) -> f64 {
         corners.iter().map(|&v| self.size[v as usize]).sum::<f64>() / 3.0
     }
 
-    /// Of a side.
-    pub(super) fn between(&self, u: u32, v: u32) -> f64 {
+    /// Returns the mean size of a side.
+    pub(super) fn side_size(&self, u: u32, v: u32) -> f64 {
         (self.size[u as usize] + self.size[v as usize]) / 2.0
     }
 }
 
-/// What all sizes must be multiplied by to keep the number of new vertices below `limit`.
-pub(crate) fn growth(mesh: &PatchMesh, size: &[f64], limit: u32) -> f64 {
-    (needed(mesh, size) / f64::from(limit)).sqrt().max(1.0)
+/// Returns the factor of all sizes that keeps the number of new vertices below `limit`.
+pub(crate) fn size_growth(mesh: &PatchMesh, size: &[f64], limit: u32) -> f64 {
+    (vertices_needed(mesh, size) / f64::from(limit)).sqrt().max(1.0)
 }
 
-/// About how many new vertices these sizes ask for: one for each two equilateral triangles.
-pub(crate) fn needed(mesh: &PatchMesh, size: &[f64]) -> f64 {
+/// Estimates the number of new vertices for these sizes: one for each two equilateral triangles.
+pub(crate) fn vertices_needed(mesh: &PatchMesh, size: &[f64]) -> f64 {
     let needed = |t: usize| {
         let [a, b, c] = mesh.corners(t);
         let mean = mesh.triangles[t].iter().map(|&v| size[v as usize]).sum::<f64>() / 3.0;

@@ -1,4 +1,4 @@
-//! Edits keep neighbours right, and what is asked of the triangles holds of them.
+//! Edits preserve adjacency, and the resulting triangles satisfy the requirements.
 
 use super::{PatchMesh, Sizing, even, insert};
 use glam::DVec3;
@@ -7,9 +7,9 @@ use gusset_base::geom::triangle::min_angle;
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 
-const FREE: fn(u32, u32) -> bool = |_, _| false;
+const NOTHING_TAKEN: fn(u32, u32) -> bool = |_, _| false;
 
-/// A square of `n` x `n` cells in the plane, the rim's vertices first, in order.
+/// Returns a square of `n` x `n` cells in the plane, with the rim's vertices first, in order.
 fn square(n: u32) -> (PatchMesh, usize) {
     let mut number = BTreeMap::new();
     let mut points = Vec::new();
@@ -39,7 +39,7 @@ fn area(mesh: &PatchMesh) -> f64 {
     (0..mesh.triangles.len()).map(signed).sum()
 }
 
-/// Each side inside has the triangle that runs it the other way; the patch is a disc.
+/// Asserts that adjacency matches the sides, and that the patch is a disc.
 fn assert_disc(mesh: &PatchMesh, rim: usize) {
     let mut sides = BTreeMap::new();
     for (t, corners) in mesh.triangles.iter().enumerate() {
@@ -80,10 +80,10 @@ proptest! {
                     let middle = corners[k].midpoint(corners[(k + 1) % 3]);
                     mesh.split_side((t, k), beyond, middle).unwrap();
                 }
-                (2, Some(_)) => drop(mesh.relax_side(rim, &FREE, t, k)),
+                (2, Some(_)) => drop(mesh.relax_side(rim, &NOTHING_TAKEN, t, k)),
                 (3, Some(_)) if mesh.triangles[t][k] as usize >= rim => {
-                    // Other common neighbours than the two beside the side would pinch the disc.
-                    prop_assert!(mesh.round(t, k, &mut star).unwrap());
+                    // Common neighbours other than the two beside the side would pinch the disc.
+                    prop_assert!(mesh.one_ring(t, k, &mut star).unwrap());
                     let onto = mesh.triangles[t][(k + 1) % 3];
                     let others = star[1..star.len() - 1].iter().map(|&(s, j)| mesh.triangles[s][(j + 2) % 3]);
                     let others: Vec<u32> = others.take(star.len().saturating_sub(3)).collect();
@@ -105,10 +105,10 @@ fn a_square_is_refined_to_any_size_without_sharp_angles() {
     for (n, size) in [(1, 0.1), (4, 1.0), (6, 0.4), (24, 4.0)] {
         let (mut mesh, rim) = square(n);
         let mut sizing = sizing(&mesh, size);
-        even(&mut mesh, rim, &mut sizing, &FREE, &Job::default()).unwrap();
+        even(&mut mesh, rim, &mut sizing, &NOTHING_TAKEN, &Job::default()).unwrap();
         assert_disc(&mesh, rim);
-        insert(&mut mesh, rim, &mut sizing, &FREE, &Job::default()).unwrap();
-        mesh.settle(rim, &FREE, 3, &Job::default()).unwrap();
+        insert(&mut mesh, rim, &mut sizing, &NOTHING_TAKEN, &Job::default()).unwrap();
+        mesh.settle(rim, &NOTHING_TAKEN, 3, &Job::default()).unwrap();
         assert_disc(&mesh, rim);
         let whole = f64::from(n * n);
         assert!((area(&mesh) / whole - 1.0).abs() < 1e-12);
@@ -120,7 +120,7 @@ fn a_square_is_refined_to_any_size_without_sharp_angles() {
                 min_angle(a, b, c).to_degrees()
             })
             .fold(180.0, f64::min);
-        // Sides on the rim that are longer than the size are asked too much of.
+        // If rim sides are longer than the size, small angles are unavoidable.
         assert!(least > if size < 0.5 { 1.0 } else { 20.0 }, "{n} {size}: {least}");
         let expected = whole / (0.43 * f64::max(size, 1.0).powi(2));
         assert!(size < 1.0 || (mesh.triangles.len() as f64) < 8.0 * expected + 8.0 * rim as f64, "{n} {size}");
@@ -129,11 +129,11 @@ fn a_square_is_refined_to_any_size_without_sharp_angles() {
 
 #[test]
 fn taken_edges_are_never_made() {
-    // Two triangles whose diagonal is the longer one: it would be flipped.
+    // The common edge is the longer diagonal, so it would be flipped.
     let points = [[0.0, 0.0], [1.0, 0.2], [3.0, 0.0], [1.0, -0.2]].map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec();
     let triangles = vec![[0, 2, 1], [0, 3, 2]];
     let mut free = PatchMesh::new(points.clone(), triangles.clone()).unwrap();
-    free.relax(4, &FREE, &Job::default()).unwrap();
+    free.relax(4, &NOTHING_TAKEN, &Job::default()).unwrap();
     assert!(free.triangles.iter().all(|t| t.contains(&1) && t.contains(&3)));
     let mut taken = PatchMesh::new(points, triangles.clone()).unwrap();
     taken.relax(4, &|u, v| (u.min(v), u.max(v)) == (1, 3), &Job::default()).unwrap();
@@ -141,16 +141,16 @@ fn taken_edges_are_never_made() {
 }
 
 #[test]
-fn points_that_coincide_or_are_in_line_hang_nothing() {
+fn coincident_and_collinear_points_do_not_hang() {
     for points in [vec![[0.0; 2]; 4], vec![[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 0.0]]] {
         let points: Vec<DVec3> = points.iter().map(|&[x, y]| DVec3::new(x, y, 0.0)).collect();
         let mut mesh = PatchMesh::new(points, vec![[0, 1, 2], [0, 2, 3]]).unwrap();
         for size in [0.0, 0.1, f64::NAN] {
             let mut sizing = sizing(&mesh, size);
             sizing.limit = mesh.points.len() + 50;
-            even(&mut mesh, 4, &mut sizing, &FREE, &Job::default()).unwrap();
-            insert(&mut mesh, 4, &mut sizing, &FREE, &Job::default()).unwrap();
-            mesh.settle(4, &FREE, 2, &Job::default()).unwrap();
+            even(&mut mesh, 4, &mut sizing, &NOTHING_TAKEN, &Job::default()).unwrap();
+            insert(&mut mesh, 4, &mut sizing, &NOTHING_TAKEN, &Job::default()).unwrap();
+            mesh.settle(4, &NOTHING_TAKEN, 2, &Job::default()).unwrap();
             assert!(mesh.points.iter().all(|p| p.is_finite()));
         }
     }
@@ -169,7 +169,7 @@ fn a_crease_is_ironed_out_and_a_gentle_slope_stays() {
     let least = std::f64::consts::FRAC_1_SQRT_2;
     for (height, moves) in [(0.2, false), (4.0, true)] {
         let (mut mesh, rim) = square(8);
-        // A spike in the middle, and beside it a vertex that a fold lies on.
+        // A spike in the middle, and beside it a vertex on which a fold lies.
         mesh.points[rim + 24].z = height;
         mesh.points[rim + 25].x += if moves { 1.5 } else { 0.0 };
         let before = mesh.points.clone();
@@ -180,7 +180,7 @@ fn a_crease_is_ironed_out_and_a_gentle_slope_stays() {
         assert_eq!(mesh.points[..rim], before[..rim]);
         assert_disc(&mesh, rim);
     }
-    // Next to a crease of the rim all stays.
+    // Next to a crease of the rim, nothing moves.
     let (mut mesh, rim) = square(4);
     mesh.points[rim + 4].z = 4.0;
     let before = mesh.points.clone();

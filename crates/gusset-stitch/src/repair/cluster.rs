@@ -1,12 +1,12 @@
-//! Which vertices lie together.
+//! Clusters of vertices that lie together.
 //!
-//! In ascending order, each vertex that is still unclaimed becomes a representative and claims the
-//! unclaimed ones that lie at its position, or within reach of it as it is within theirs: nearest
-//! first, of equally near ones the smallest. What that means: see [`weld`](super::weld).
+//! In ascending order, each unclaimed vertex becomes a representative. It claims the unclaimed
+//! vertices at its position, or within mutual reach: nearest first, and the smallest of equally
+//! near ones. See [`weld`](super::weld) for the consequences.
 //!
-//! Equal positions are found by sorting, near ones in a k-d tree: O(n log n), as representatives
-//! lie apart and a point is within reach of few. Where corners of one face are kept apart, those
-//! that lie together each have a turn.
+//! Equal positions are found by sorting, near ones in a k-d tree: O(n log n), because
+//! representatives are apart, so that a point is within reach of few of them. If corners of one
+//! face are kept apart, each coincident corner becomes a representative in turn.
 
 use super::corners::Corners;
 use glam::DVec3;
@@ -18,30 +18,31 @@ use gusset_base::sort;
 use gusset_base::sort::sort;
 use gusset_mesh::{MeshView, NONE};
 
-/// Vertices by representatives.
+/// A partition of the vertices into clusters.
 pub(super) struct Clusters {
-    /// Per vertex of the mesh, its representative: the smallest vertex of its cluster; itself if it
-    /// takes no part.
-    pub(super) of: Vec<u32>,
-    /// Vertices that lie together and were kept apart, as they are corners of one face; unordered.
+    /// For each vertex of the mesh, the smallest vertex of its cluster; the vertex itself if it is
+    /// not clustered.
+    pub(super) representative: Vec<u32>,
+    /// Coincident vertices that were kept apart because they are corners of one face; unordered.
     pub(super) kept_apart: Vec<u32>,
 }
 
-/// Claims between two progress reports.
+/// Number of claims between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 14;
 
-/// Candidates of one claim between two progress reports.
+/// Number of candidates of one claim between two progress reports.
 const CANDIDATES_PER_REPORT: usize = 1 << 18;
 
-/// From so many on, sorting them reports progress.
+/// Sorting this number of candidates reports progress.
 const MANY_CANDIDATES: usize = 1 << 14;
 
 const STAGE: &str = "clustering vertices";
 
 impl Clusters {
-    /// Clusters `members`, which are ascending and have finite positions. `reach`: of each member,
-    /// at least 0; empty for equal positions. With `corners`, no cluster gets two corners of one
-    /// face.
+    /// Clusters `members`, which are ascending and have finite positions.
+    ///
+    /// `reach` has a length, at least 0, for each member; it is empty for equal positions. With
+    /// `corners`, no cluster has two corners of one face.
     pub(super) fn find(
         mesh: &MeshView<'_>,
         members: &[u32],
@@ -52,12 +53,14 @@ impl Clusters {
         let positions = members.iter().map(|&v| mesh.positions().get(v));
         let points = alloc::collect_cancellable(positions, &job.part(0.0, 0.0), STAGE)?;
         job.step(0.0, STAGE)?;
-        let near = Near::new(&points, reach, &job.part(0.0, 0.4))?;
+        let near = NearVertices::new(&points, reach, &job.part(0.0, 0.4))?;
         let job = job.part(0.4, 1.0);
         job.step(0.0, STAGE)?;
         let mut guard = Guard::new(mesh, corners)?;
-        let mut found =
-            Clusters { of: alloc::collect((0..mesh.positions().len()).map(|v| v as u32))?, kept_apart: Vec::new() };
+        let mut found = Clusters {
+            representative: alloc::collect((0..mesh.positions().len()).map(|v| v as u32))?,
+            kept_apart: Vec::new(),
+        };
         job.step(0.0, STAGE)?;
         let mut claimed = alloc::filled(false, members.len())?;
         let mut candidates = Vec::new();
@@ -81,7 +84,7 @@ impl Clusters {
                 }
                 if guard.admits(representative, v) {
                     claimed[j] = true;
-                    found.of[v as usize] = representative;
+                    found.representative[v as usize] = representative;
                 } else {
                     alloc::append(&mut found.kept_apart, &[representative, v])?;
                 }
@@ -91,10 +94,10 @@ impl Clusters {
     }
 }
 
-/// Who lies near whom.
-enum Near<'a> {
-    /// Places in the order of their positions, and for each place where its group begins in that
-    /// order.
+/// The search for nearby vertices.
+enum NearVertices<'a> {
+    /// The members in the order of their positions, and for each member the start of its group in
+    /// that order.
     Equal {
         order: Vec<u32>,
         begin: Vec<u32>,
@@ -105,13 +108,13 @@ enum Near<'a> {
     },
 }
 
-impl<'a> Near<'a> {
+impl<'a> NearVertices<'a> {
     fn new(points: &'a [DVec3], reach: &'a [f64], job: &Job<'_>) -> Result<Self> {
         if !reach.is_empty() {
-            return Ok(Near::Within { tree: KdTree::new(points, job, STAGE)?, reach });
+            return Ok(NearVertices::Within { tree: KdTree::new(points, job, STAGE)?, reach });
         }
         job.step(0.0, STAGE)?;
-        // -0 becomes 0, so that the order of bits is the order of numbers.
+        // Convert -0 to 0, so that the order of bits is the order of numbers.
         let numbered = points.iter().enumerate().map(|(i, &p)| (p + DVec3::ZERO, i as u32));
         let mut sorted = alloc::collect_cancellable(numbered, &job.part(0.0, 0.0), STAGE)?;
         let by_position = |(p, i): &(DVec3, u32), (q, j): &(DVec3, u32)| {
@@ -130,14 +133,14 @@ impl<'a> Near<'a> {
             }
             begin[i as usize] = group as u32;
         }
-        Ok(Near::Equal { order, begin })
+        Ok(NearVertices::Equal { order, begin })
     }
 
-    /// Appends the places that lie with place `i`, itself too, as (squared distance, place),
+    /// Appends the members near member `i`, including itself, as (squared distance, member),
     /// nearest first.
     fn candidates(&self, points: &[DVec3], i: usize, out: &mut Vec<(f64, u32)>, job: &Job<'_>) -> Result<()> {
         match self {
-            Near::Equal { order, begin } => {
+            NearVertices::Equal { order, begin } => {
                 let group = order[begin[i] as usize..].iter().take_while(|&&j| points[j as usize] == points[i]);
                 for &j in group {
                     alloc::push(out, (0.0, j))?;
@@ -146,7 +149,7 @@ impl<'a> Near<'a> {
                     }
                 }
             }
-            Near::Within { tree, reach } => {
+            NearVertices::Within { tree, reach } => {
                 let mut outcome = Ok(());
                 let radius = |i: usize| Radius::new(reach[i].max(f64::from_bits(1)));
                 tree.for_each_within(points[i], radius(i), &mut |squared, j| {
@@ -174,7 +177,7 @@ impl<'a> Near<'a> {
 /// Keeps corners of one face apart.
 struct Guard<'a> {
     corners: Option<&'a Corners>,
-    /// Per face, the representative that last got a corner of it.
+    /// For each face, the representative that last got one of its corners.
     owner: Vec<u32>,
 }
 
@@ -184,14 +187,14 @@ impl<'a> Guard<'a> {
         Ok(Guard { corners, owner: alloc::filled(NONE, faces)? })
     }
 
-    /// True if no face has both `v` and a vertex admitted to the same representative before; `v` is
-    /// then admitted.
+    /// Admits `v` to the cluster of `representative`. Returns false if a face has both `v` and an
+    /// earlier vertex of the cluster.
     fn admits(&mut self, representative: u32, v: u32) -> bool {
         let Some(corners) = self.corners else { return true };
-        if corners.at(v).iter().any(|&h| self.owner[corners.face(h)] == representative) {
+        if corners.corners_at(v).iter().any(|&h| self.owner[corners.face(h)] == representative) {
             return false;
         }
-        for &h in corners.at(v) {
+        for &h in corners.corners_at(v) {
             self.owner[corners.face(h)] = representative;
         }
         true

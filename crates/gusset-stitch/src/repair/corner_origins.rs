@@ -1,31 +1,31 @@
-//! Which corners of the old mesh those of a repaired one are.
+//! Origins of the corners of a repaired mesh.
 
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
-/// A corner that was put on an edge.
+/// A corner that was inserted on an edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CornerOnEdge {
     /// The corner of the new mesh.
     pub corner: u32,
-    /// The old corner where the edge ends; where it starts is in [`CornerOrigins::corners`].
+    /// The old corner at the edge's end. The corner at its start is in [`CornerOrigins::corners`].
     pub end: u32,
-    /// How far along the edge, from 0 to 1.
+    /// The position along the edge, from 0 to 1.
     pub at: f64,
 }
 
-/// Per corner of a repaired mesh the old one.
+/// The origin of each corner of a repaired mesh.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct CornerOrigins {
-    /// Per corner of the new mesh, the old one; of one that was put on an edge, the old one where
-    /// the edge starts.
+    /// For each corner of the new mesh, the old corner; for an inserted corner, the old corner at
+    /// the start of its edge.
     pub corners: Vec<u32>,
-    /// The corners that were put on edges, ascending.
+    /// The corners that were inserted on edges, ascending.
     pub on_edges: Vec<CornerOnEdge>,
 }
 
 impl CornerOrigins {
-    /// Adds the next corner.
+    /// Appends the origin of the next corner.
     pub(super) fn push(&mut self, origin: Corner) -> Result<()> {
         if origin.at > 0.0 {
             let corner = self.corners.len() as u32;
@@ -34,9 +34,8 @@ impl CornerOrigins {
         alloc::push(&mut self.corners, origin.start)
     }
 
-    /// From a mesh that was made of these corners, some of which are left, back to the old one;
-    /// `None`: all are.
-    pub(super) fn followed_by(self, left: Option<&[u32]>) -> Result<CornerOrigins> {
+    /// Selects the origins of the corners `left` of an intermediate mesh; `None` keeps all.
+    pub(super) fn restricted_to(self, left: Option<&[u32]>) -> Result<CornerOrigins> {
         let Some(left) = left else { return Ok(self) };
         let mut all = CornerOrigins { corners: alloc::with_capacity(left.len())?, on_edges: Vec::new() };
         for &corner in left {
@@ -45,8 +44,8 @@ impl CornerOrigins {
         Ok(all)
     }
 
-    /// With old corners that are themselves what is left of others; `None`: of all.
-    pub(crate) fn after(mut self, left: Option<&[u32]>) -> CornerOrigins {
+    /// Replaces old corners by their own origins `left`; `None` keeps them.
+    pub(crate) fn rebased(mut self, left: Option<&[u32]>) -> CornerOrigins {
         if let Some(left) = left {
             self.corners.iter_mut().for_each(|corner| *corner = left[*corner as usize]);
             self.on_edges.iter_mut().for_each(|on| on.end = left[on.end as usize]);
@@ -63,7 +62,7 @@ impl CornerOrigins {
     }
 }
 
-/// An old corner, or a place on the edge from it to the next one of its face.
+/// An old corner, or a point on the edge from it to the next corner of its face.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Corner {
     pub(super) start: u32,

@@ -1,4 +1,4 @@
-//! The faces' corners at each vertex, and the face of each corner.
+//! The corners at each vertex, and the face of each corner.
 
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -6,16 +6,16 @@ use gusset_base::job::Job;
 use gusset_base::sort::Buckets;
 use gusset_mesh::MeshView;
 
-/// For each vertex the corners that name it, ascending, and for each corner its face, found without
-/// a search; 8 bytes a corner and 4 a vertex.
+/// The corners at each vertex, ascending, and the face of each corner, in constant time; 8 bytes
+/// per corner and 4 per vertex.
 pub(super) struct Corners {
     face: Vec<u32>,
     corners: Buckets<u32>,
 }
 
 impl Corners {
-    /// By a counting sort, O(V + H).
-    pub(super) fn of(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Self> {
+    /// Builds the table by a counting sort, O(V + H).
+    pub(super) fn new(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Self> {
         let (faces, vertices) = (mesh.faces(), mesh.positions().len());
         let count = faces.half_edge_count();
         let corners = Buckets::new(vertices, 0, (0..count as u32).map(|h| (faces.corner(h) as usize, h)))?;
@@ -31,7 +31,7 @@ impl Corners {
         self.face[h as usize] as usize
     }
 
-    pub(super) fn at(&self, v: u32) -> &[u32] {
+    pub(super) fn corners_at(&self, v: u32) -> &[u32] {
         self.corners.get(v as usize)
     }
 }

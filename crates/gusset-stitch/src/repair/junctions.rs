@@ -1,19 +1,20 @@
-//! T-junctions of borders: vertices of one that lie inside a free edge of another, and where it is
-//! to be split for the two to match.
+//! T-junctions of borders: vertices of one border inside a free edge of another, and the splits
+//! that make both borders match.
 //!
-//! A vertex lies on an edge if it is within its reach of it, beyond it from both ends, and if the
-//! face there has no corner that lies with it; the edge is longer than twice the reach. Edges are
-//! found in a box tree. Vertices that lie together are one place, and an edge is split there once,
-//! on the way from its start to its end.
+//! A vertex lies on an edge if the edge is within the vertex's reach and its ends are beyond it.
+//! The edge must be longer than twice the reach, and its face must not have a corner near the
+//! vertex. Edges are found in a box tree. Coincident vertices are one place, and an edge is split
+//! once at each place.
 //!
-//! **A split is made only where it serves.** Thought of as split everywhere, free edges are
-//! compared by the places of their ends: where exactly two lie on one another, they can be sewn. A
-//! split beside no such piece is dropped, which makes one piece of two, and what is left is compared
-//! again. So vertices that merely touch an edge stay what they are, and three sheets on one line are
-//! left as welding leaves them. Splits that would turn a part of a triangle over are dropped too.
+//! **Only useful splits are made.** The splits divide the free edges into pieces, which are
+//! compared by the places of their ends. If exactly two coincide, they can be sewn. A split is
+//! dropped if neither piece beside it can be sewn. This merges the two pieces, and the remaining
+//! splits are compared again. So vertices that merely touch an edge stay unchanged, and three
+//! sheets on one line are left as by welding. Splits that would turn over a part of a triangle are
+//! dropped too.
 //!
-//! O((V + E) log V) for V vertices and E edges of borders and few places on each edge; as much again
-//! for each time that splits were dropped, [`MAX_PASSES`] at most.
+//! O((V + E) log V) for V vertices and E edges of borders with few places on each edge. Each
+//! comparison takes as much again; there are at most [`MAX_PASSES`].
 
 use super::cluster::Clusters;
 use super::seams::{free_vertices, is_free};
@@ -29,24 +30,24 @@ use gusset_base::job::Job;
 use gusset_base::sort::{sort, sort_distinct};
 use gusset_mesh::{MeshView, Topology, half_edges, unordered};
 
-/// Edges in a leaf of the tree.
+/// Number of edges in a leaf of the tree.
 const GROUP: usize = 4;
 
-/// How often what is left of the splits is compared.
+/// Largest number of comparisons of the remaining splits.
 const MAX_PASSES: usize = 16;
 
-/// Vertices between two progress reports.
+/// Number of vertices between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 10;
 
-/// Leaves that vertices look into between two progress reports.
+/// Number of visited leaves between two progress reports.
 const LEAVES_PER_REPORT: usize = 1 << 16;
 
-/// Faces between two progress reports.
+/// Number of faces between two progress reports.
 const FACES_PER_REPORT: usize = 1 << 16;
 
 const STAGE: &str = "finding T-junctions";
 
-/// A free edge, run as its face runs it.
+/// A free edge in the direction of its face.
 #[derive(Clone, Copy)]
 pub(super) struct FreeEdge {
     pub(super) half_edge: u32,
@@ -54,29 +55,29 @@ pub(super) struct FreeEdge {
     pub(super) ends: [u32; 2],
 }
 
-/// A place on a free edge.
+/// A split of a free edge.
 #[derive(Clone, Copy)]
 pub(super) struct Split {
-    /// Its number among the edges.
+    /// The index of the edge.
     pub(super) edge: u32,
-    /// How far along the edge, from 0 to 1.
+    /// The position along the edge, from 0 to 1.
     pub(super) at: f64,
-    /// The smallest vertex that lies there.
+    /// The smallest of the coincident vertices at this place.
     pub(super) vertex: u32,
 }
 
-/// Where free edges are to be split.
+/// The splits of free edges.
 pub(super) struct Junctions {
     /// The free edges, in the order of their half-edges.
     pub(super) edges: Vec<FreeEdge>,
-    /// By edges, and along each edge.
+    /// The splits, ordered by edge and along each edge.
     pub(super) splits: Vec<Split>,
-    /// Vertices that lie on a free edge which is not split there, ascending.
+    /// Vertices that lie on a free edge that is not split there, ascending.
     pub(super) left: Vec<u32>,
 }
 
 impl Junctions {
-    /// The splits that make borders match.
+    /// Finds the splits that make borders match.
     pub(super) fn find(mesh: &MeshView<'_>, topology: &Topology, source: Source, job: &Job<'_>) -> Result<Self> {
         let faces = mesh.faces().len();
         let mut edges = Vec::new();
@@ -89,9 +90,9 @@ impl Junctions {
         job.step(0.0, STAGE)?;
         let members = free_vertices(mesh, topology)?;
         job.step(0.0, STAGE)?;
-        let tolerance = Tolerance::of(mesh, &members, source, &job.part(0.0, 0.1))?;
+        let tolerance = Tolerance::find(mesh, &members, source, &job.part(0.0, 0.1))?;
         let clusters = Clusters::find(mesh, &members, &tolerance.reach, None, &job.part(0.1, 0.3))?;
-        let border = Border { mesh, edges: &edges, members: &members, clusters: &clusters.of };
+        let border = Border { mesh, edges: &edges, members: &members, clusters: &clusters.representative };
         let mut splits = border.places(&tolerance.reach, &job.part(0.3, 0.7))?;
         job.step(0.7, STAGE)?;
         let mut left = alloc::gather(splits.iter().map(|split| split.vertex))?;
@@ -105,13 +106,13 @@ impl Junctions {
     }
 }
 
-/// The free edges and what lies together at their ends.
+/// The free edges, and the clusters of their ends.
 struct Border<'a> {
     mesh: &'a MeshView<'a>,
     edges: &'a [FreeEdge],
     /// The ends of the edges, ascending.
     members: &'a [u32],
-    /// Per vertex, the smallest one that lies with it.
+    /// For each vertex, the smallest coincident vertex.
     clusters: &'a [u32],
 }
 
@@ -120,14 +121,15 @@ impl Border<'_> {
         self.clusters[v as usize]
     }
 
-    /// All places on edges, by edges and along each edge. `reach`: of each member; empty for 0.
+    /// Returns all places on edges, by edge and along each edge. `reach` has an entry per member;
+    /// empty for 0.
     fn places(&self, reach: &[f64], job: &Job<'_>) -> Result<Vec<Split>> {
         let points = self.members.iter().map(|&v| self.mesh.positions().get(v));
         let points = alloc::collect_cancellable(points, &job.part(0.0, 0.0), STAGE)?;
         job.step(0.0, STAGE)?;
         let unit = common_unit(&points);
         let ends = |e: u32| self.edges[e as usize].ends.map(|v| self.mesh.positions().get(v) / unit);
-        // No vertex lies inside an edge without a length.
+        // A vertex cannot lie inside an edge of length 0.
         let has_length = |&e: &u32| ends(e)[0] != ends(e)[1];
         let mut long = Vec::new();
         job.part(0.0, 0.0).ranges(STAGE, self.edges.len(), |range| {
@@ -149,7 +151,7 @@ impl Border<'_> {
             if i % REPORT_INTERVAL == 0 {
                 here.step(0.0, STAGE)?;
             }
-            // What lies in the very place of the vertex that stands for it finds the same places.
+            // A vertex at the exact position of its representative finds the same places.
             let first = self.members.binary_search(&self.cluster(v)).unwrap_or(i);
             if first < i && points[first] == p && reach.get(first) == reach.get(i) {
                 continue;
@@ -162,7 +164,7 @@ impl Border<'_> {
                 }
                 for &place in &order[GROUP * leaf..order.len().min(GROUP * (leaf + 1))] {
                     let e = long[place as usize];
-                    if let Some(at) = place_on(ends(e), point, reach)
+                    if let Some(at) = place_on_edge(ends(e), point, reach)
                         && self.is_apart(v, e)
                     {
                         alloc::push(&mut found, Split { edge: e, at, vertex: self.cluster(v) })?;
@@ -181,14 +183,14 @@ impl Border<'_> {
         Ok(found)
     }
 
-    /// True if no corner of the edge's face lies with `v`.
+    /// Returns true if the edge's face does not have a corner near `v`.
     fn is_apart(&self, v: u32, e: u32) -> bool {
         let cluster = self.cluster(v);
         self.mesh.face(self.edges[e as usize].face as usize).all(|corner| self.cluster(corner) != cluster)
     }
 
-    /// Drops splits beside no piece that can be sewn, and those that would turn triangles over,
-    /// until there are none.
+    /// Drops splits that do not help sewing or that would turn triangles over, until all remaining
+    /// splits are useful.
     fn keep_useful(&self, splits: &mut Vec<Split>, job: &Job<'_>) -> Result<()> {
         for pass in 0..MAX_PASSES {
             let before = splits.len();
@@ -205,9 +207,9 @@ impl Border<'_> {
         Ok(())
     }
 
-    /// Drops splits beside no piece that lies on exactly one other.
+    /// Drops splits without an adjacent piece that coincides with exactly one other.
     fn keep_matched(&self, splits: &mut Vec<Split>, job: &Job<'_>) -> Result<()> {
-        // Edge e with the splits from j on has the pieces from j + e on, one more than splits.
+        // Edge e with splits from index j has pieces from index j + e, one more than splits.
         let mut pieces = alloc::with_capacity(splits.len() + self.edges.len())?;
         let mut rest = splits.iter().peekable();
         for (e, edge) in self.edges.iter().enumerate() {
@@ -237,7 +239,7 @@ impl Border<'_> {
         Ok(())
     }
 
-    /// Drops the splits of triangles parts of which would be turned over.
+    /// Drops the splits of triangles that would have parts turned over.
     fn keep_upright(&self, splits: &mut Vec<Split>, job: &Job<'_>) -> Result<()> {
         let face = |split: &Split| self.edges[split.edge as usize].face;
         let mut upright = alloc::with_capacity(splits.len())?;
@@ -257,9 +259,9 @@ impl Border<'_> {
     }
 }
 
-/// How far along the edge `p`, `q` a point lies that is within `reach` of it, and beyond that from
-/// its ends.
-fn place_on([p, q]: [DVec3; 2], point: DVec3, reach: f64) -> Option<f64> {
+/// Returns the position along the edge `p`, `q` of a point within `reach` of the edge and beyond
+/// `reach` from its ends.
+fn place_on_edge([p, q]: [DVec3; 2], point: DVec3, reach: f64) -> Option<f64> {
     let (along, from) = (q - p, point - p);
     let squared = reach * reach;
     let at = from.dot(along) / along.length_squared();

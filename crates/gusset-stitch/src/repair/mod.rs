@@ -1,13 +1,15 @@
-//! Repair: pieces that touch made one surface, and faces made to agree.
+//! Repair: merging of pieces that touch, and consistent orientation of faces.
 //!
-//! * [`weld`]: makes one vertex of vertices that lie together; on borders, by sewing edge to edge.
-//! * [`sew`]: welds borders that do not match vertex by vertex either; edges are split for it.
-//! * [`orient`]: turns faces over until neighbours agree, and closed surfaces outwards.
-//! * [`corner_origins`]: which corners of the old mesh those of the new one are.
-//! * [`cluster`](self): which vertices lie together. [`seams`](self): which of them can be one
-//!   without harm. [`corners`](self): the faces' corners at each vertex. [`tolerance`](self): how
-//!   far apart copies of one vertex can be. [`junctions`](self): where free edges are split.
-//!   [`split_mesh`](self), [`split_face`](self): what becomes of their faces.
+//! * [`weld`]: merges coincident vertices; on borders, by sewing edge to edge.
+//! * [`sew`]: welds borders that do not match vertex by vertex, by splitting edges.
+//! * [`orient`]: turns faces over until neighbours agree, and turns closed surfaces outwards.
+//! * [`corner_origins`]: origins of the corners of a repaired mesh.
+//! * [`cluster`](self): clusters of coincident vertices.
+//! * [`seams`](self): pairs of edges that can be sewn without harm.
+//! * [`corners`](self): the corners at each vertex.
+//! * [`tolerance`](self): the largest distance between copies of one vertex.
+//! * [`junctions`](self): the splits of free edges.
+//! * [`split_mesh`](self), [`split_face`](self): faces with split edges.
 
 mod cluster;
 pub mod corner_origins;

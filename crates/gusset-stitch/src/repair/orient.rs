@@ -1,12 +1,14 @@
-//! Orientation: faces are turned over until neighbours agree.
+//! Consistent orientation of faces.
 //!
-//! Two faces at an edge of exactly two agree if they run it in opposite directions. From the
-//! smallest face of each component on, a breadth-first search across such edges says of every face
-//! whether it agrees with the first one; the smaller side is turned. A component where some edge
-//! contradicts the search (a Moebius strip) cannot be oriented and stays as it is. Edges of three
-//! or more faces connect nothing, nor do degenerate faces. A turned face keeps its first corner.
-//! O(H log d) for H half-edges and at most d edges at a vertex, which pairing the half-edges takes;
-//! the rest is linear.
+//! Two faces at an edge with exactly two faces agree if they run it in opposite directions. A
+//! breadth-first search from the smallest face of each component determines for every face whether
+//! it agrees with the first face. The smaller side is turned over. If an edge contradicts the
+//! search (a Moebius strip), the component is not orientable and stays unchanged. Edges with three
+//! or more faces do not connect components, and neither do degenerate faces. A turned face keeps
+//! its first corner.
+//!
+//! O(H log d) for H half-edges and at most d edges at a vertex, to pair the half-edges; the rest is
+//! linear.
 
 use glam::DVec3;
 use gusset_base::alloc;
@@ -18,14 +20,13 @@ use gusset_base::sort::sort;
 use gusset_mesh::{Mesh, MeshView, NONE, Opposite, Topology, concat};
 use std::slice;
 
-/// Which way closed components face.
+/// The side that closed components face.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Outward {
-    /// As most of their faces do.
+    /// The side that most of the faces already face.
     #[default]
     Keep,
-    /// Outwards, each by its own volume: of shells inside one another each one encloses what is
-    /// within it.
+    /// Outwards, each component by its own volume, also inside other components.
     Closed,
 }
 
@@ -34,50 +35,51 @@ choices! { for Outward:
     Closed => "Outwards", "Outwards, each by its own volume, also inside others.";
 }
 
-/// How to orient.
+/// Options of [`orient`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Options {
-    /// What becomes of closed components.
+    /// The side that closed components face.
     pub outward: Outward,
 }
 
-/// A component that cannot be oriented.
+/// A component that is not orientable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct OneSided {
-    /// Its smallest face.
+    /// The smallest face of the component.
     pub face: u32,
-    /// The smallest half-edge at which its faces disagree when those along the breadth-first search
+    /// The smallest half-edge at which faces disagree, if faces along the breadth-first search
     /// agree.
     pub half_edge: u32,
 }
 
-/// An oriented mesh. Faces, half-edges and vertices have their old numbers, but for the half-edges
-/// of turned faces.
+/// An oriented mesh. Faces, vertices and half-edges keep their indices, except the half-edges of
+/// turned faces.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Oriented {
-    /// The mesh; positions keep their bits.
+    /// The mesh. Positions keep their bits.
     pub mesh: Mesh,
-    /// Per face, whether it was turned over.
+    /// For each face, true if it was turned over.
     pub turned: Vec<bool>,
-    /// How many were.
+    /// The number of turned faces.
     pub turned_faces: u32,
-    /// Sets of faces that hang together across edges with two faces; a degenerate face is one of
-    /// its own.
+    /// The number of components: sets of faces connected by edges with two faces. A degenerate face
+    /// is its own component.
     pub components: u32,
-    /// Closed components that face outwards now and, turning as few faces as possible, would not.
+    /// The number of closed components that face outwards only because [`Outward::Closed`]
+    /// overrules the majority.
     pub inverted_components: u32,
-    /// The components that cannot be oriented, by their smallest faces.
+    /// The components that are not orientable, by their smallest faces.
     pub one_sided: Vec<OneSided>,
 }
 
-/// Faces between two progress reports.
+/// Number of faces between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;
 
 const STAGE: &str = "orienting faces";
 
-/// Makes the orientation of each component consistent, turning as few faces as possible; where both
-/// sides are as many, the component's smallest face stays. Extra memory: about 20 bytes a
-/// half-edge.
+/// Makes the orientation of each component consistent, and turns over as few faces as possible. If
+/// both sides have the same number of faces, the component's smallest face stays. Extra memory:
+/// about 20 bytes per half-edge.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
@@ -86,7 +88,7 @@ pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<O
     let topology = Topology::new(mesh, &job.part(0.0, 0.5))?;
     let count = mesh.faces().len();
     let mut turned = alloc::filled(false, count)?;
-    let mut search = Search::new(mesh, &topology)?;
+    let mut search = ComponentSearch::new(mesh, &topology)?;
     let (mut components, mut inverted_components, mut one_sided) = (0, 0, Vec::new());
     for f in 0..count as u32 {
         if search.seen[f as usize] {
@@ -103,7 +105,7 @@ pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<O
         let against = found.iter().filter(|&&g| turned[g as usize]).count();
         let mut invert = 2 * against > found.len();
         if options.outward == Outward::Closed && search.closed {
-            // What faces inwards as the search left it is to be inverted.
+            // Invert the component if it faces inwards after the search.
             let inward = faces_inward(mesh, found, &turned, &job.part(0.9, 0.9))?.unwrap_or(invert);
             inverted_components += u32::from(inward != invert);
             invert = inward;
@@ -120,13 +122,15 @@ pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<O
     Ok(Oriented { mesh: oriented, turned, turned_faces, components, inverted_components, one_sided })
 }
 
-/// Turns over, each as a whole, the components of `mesh` that are closed, consistently oriented and
-/// face inwards: their volume is negative by more than rounding. Every other component stays as it
-/// is, bit for bit: an open one, one with an edge of three or more faces, one whose faces disagree.
-/// Of shells inside one another each one faces outwards then, the walls of a cavity too. A note to
-/// the host says so if anything is turned.
+/// Turns over, each as a whole, the closed and consistently oriented components of `mesh` that face
+/// inwards.
 ///
-/// O(H log d), and about 20 bytes a half-edge, as for [`orient`].
+/// A component faces inwards if its volume is negative beyond rounding. Every other component stays
+/// unchanged: open ones, ones with an edge of three or more faces, and ones whose faces disagree.
+/// Each of several nested shells then faces outwards, including the walls of cavities. A note to
+/// the host reports it if a component is turned.
+///
+/// O(H log d) time, and about 20 bytes per half-edge, like [`orient`].
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
@@ -142,7 +146,7 @@ pub fn turn_outwards(mesh: &mut Mesh, job: &Job<'_>) -> Result<Outwards> {
         mesh.turn_face(f as usize);
     }
     if !found.turned.is_empty() {
-        job.note("what is closed and was inside out has been turned over");
+        job.note("closed components that were inside out have been turned over");
     }
     Ok(found)
 }
@@ -152,15 +156,15 @@ pub fn turn_outwards(mesh: &mut Mesh, job: &Job<'_>) -> Result<Outwards> {
 pub struct Outwards {
     /// The faces that were turned over, ascending.
     pub turned: Vec<u32>,
-    /// A face of each component that encloses no volume up to rounding, and stays as it is.
+    /// One face of each component whose volume is 0 up to rounding. It stays unchanged.
     pub zero_volume: Vec<u32>,
 }
 
-/// What faces inwards, and what neither way.
+/// Finds the components that face inwards, and those without volume.
 fn inward_components(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Outwards> {
     let topology = Topology::new(mesh, &job.part(0.0, 0.6))?;
     let mut against = alloc::filled(false, mesh.faces().len())?;
-    let mut search = Search::new(mesh, &topology)?;
+    let mut search = ComponentSearch::new(mesh, &topology)?;
     let mut outwards = Outwards::default();
     for f in 0..mesh.faces().len() as u32 {
         if search.seen[f as usize] {
@@ -180,25 +184,25 @@ fn inward_components(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Outwards> {
     Ok(outwards)
 }
 
-/// The search through one component after another.
-struct Search<'m> {
+/// The breadth-first search through one component after another.
+struct ComponentSearch<'m> {
     mesh: &'m MeshView<'m>,
     topology: &'m Topology,
     seen: Vec<bool>,
-    /// The faces of the component, in the order found.
+    /// The faces of the component, in the order of the search.
     found: Vec<u32>,
-    /// How many faces all components had so far.
+    /// The number of faces of all components so far.
     reached: usize,
-    /// The smallest half-edge that contradicts, or none.
+    /// The smallest contradicting half-edge, or [`NONE`].
     half_edge: u32,
-    /// Every edge of the component has two faces.
+    /// True if every edge of the component has two faces.
     closed: bool,
 }
 
-impl<'m> Search<'m> {
+impl<'m> ComponentSearch<'m> {
     fn new(mesh: &'m MeshView<'m>, topology: &'m Topology) -> Result<Self> {
         let count = mesh.faces().len();
-        Ok(Search {
+        Ok(ComponentSearch {
             mesh,
             topology,
             seen: alloc::filled(false, count)?,
@@ -209,7 +213,7 @@ impl<'m> Search<'m> {
         })
     }
 
-    /// Finds the component of face `f`, and in `turned` which of its faces disagree with `f`.
+    /// Finds the component of face `f`. Marks in `turned` the faces that disagree with `f`.
     fn component(&mut self, f: u32, turned: &mut [bool], job: &Job<'_>) -> Result<()> {
         let faces = self.mesh.faces();
         (self.half_edge, self.closed) = (NONE, true);
@@ -242,15 +246,15 @@ impl<'m> Search<'m> {
     }
 }
 
-/// Whether a closed set of faces, turned as `turned` says, has a negative volume; `None` if it is 0
-/// up to rounding.
+/// Returns whether a closed set of faces, turned as `turned` marks, has a negative volume; `None`
+/// if it is 0 up to rounding.
 ///
-/// By the divergence theorem, 6 V = sum of p ((q - p) x (r - p)) over triangles p, q, r, with
-/// coordinates from a vertex of the set in a power-of-two unit of its size.
+/// By the divergence theorem, 6 V = sum of p ((q - p) x (r - p)) over triangles p, q, r.
+/// Coordinates are relative to a vertex of the set, in a power-of-two unit of its size.
 fn faces_inward(mesh: &MeshView<'_>, found: &[u32], turned: &[bool], job: &Job<'_>) -> Result<Option<bool>> {
     let point = |v: u32| mesh.positions().get(v);
     let corners = || found.iter().flat_map(|&f| mesh.face(f as usize));
-    // Halves, so that differences of the largest numbers do not overflow.
+    // Halve the coordinates, so that differences of the largest numbers do not overflow.
     let Some(first) = corners().next() else { return Ok(None) };
     let origin = point(first) * 0.5;
     let relative = |v: u32| point(v) * 0.5 - origin;
@@ -258,7 +262,7 @@ fn faces_inward(mesh: &MeshView<'_>, found: &[u32], turned: &[bool], job: &Job<'
     let at = |v: u32| relative(v) / unit;
     let (mut sum, mut size) = (0.0, 0.0);
     for (k, &f) in found.iter().enumerate() {
-        // Many components of few faces each report nothing.
+        // Small components do not report progress.
         if k % REPORT_INTERVAL == REPORT_INTERVAL - 1 {
             job.step(0.0, STAGE)?;
         }

@@ -1,21 +1,19 @@
-//! Seams: free edges that lie on one another become one edge, two by two.
+//! Seams: pairs of coincident free edges that become one edge.
 //!
-//! Free edges are compared by the clusters of their ends, in either direction, as orientation is
-//! another matter. Where exactly two lie on one another they are to be one; where there are more,
-//! none is preferred. In the order of the half-edges, each pair is sewn, that is, its ends are made
-//! one vertex each, unless that would
+//! Free edges are compared by the clusters of their ends, in either direction, because orientation
+//! is handled elsewhere. If exactly two edges coincide they form a pair; if more coincide, none is
+//! preferred. Pairs are sewn in the order of the half-edges: both pairs of ends are merged. A pair
+//! is skipped if sewing it would
 //!
-//! * make one of two corners of a face, which would collapse (where the caller does not allow
-//!   that), or
-//! * make one of two edges that together have more than two faces.
+//! * merge two corners of a face, which would collapse (unless the caller allows that), or
+//! * merge two edges that together have more than two faces.
 //!
-//! So vertices that merely lie together stay apart where no edge joins them, as at a point that two
-//! holes share; two solids that touch along an edge stay two, each sewn to itself; and a manifold
-//! stays a manifold: a sewn edge joins two fans into one.
+//! So coincident vertices without a common edge stay apart, as at a point that two holes share. Two
+//! solids that touch along an edge stay separate, each sewn to itself. A manifold stays a manifold:
+//! a sewn edge joins two fans into one.
 //!
-//! The smaller of two sets of vertices is looked through at each union, and an edge's faces are
-//! counted at the end with fewer corners: O(B log B) for B corners at border vertices of bounded
-//! degree.
+//! Each union visits the smaller of two sets of vertices, and an edge's faces are counted at the
+//! end with fewer corners: O(B log B) for B corners at border vertices of bounded degree.
 
 use super::corners::Corners;
 use gusset_base::alloc;
@@ -25,30 +23,30 @@ use gusset_base::sort::sort;
 use gusset_mesh::{MeshView, NONE, Opposite, Topology, half_edges, unordered};
 use std::iter;
 
-/// Pairs between two progress reports.
+/// Number of pairs between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 14;
 
 const STAGE: &str = "sewing edges";
 
-/// The half-edge's face is the only one at its edge.
+/// Returns true if the half-edge's face is the only one at its edge.
 pub(super) fn is_free(topology: &Topology, h: u32) -> bool {
     !topology.is_ignored(h) && topology.opposite(h) == Opposite::Free
 }
 
-/// The half-edges of free edges, with their ends.
+/// Returns the half-edges of free edges, with their ends.
 pub(super) fn free_edges(mesh: &MeshView<'_>, topology: &Topology) -> impl Iterator<Item = (u32, [u32; 2])> {
     let all = (0..mesh.faces().len()).flat_map(|f| half_edges(mesh, f));
     all.filter(|&(h, ..)| is_free(topology, h)).map(|(h, u, v)| (h, [u, v]))
 }
 
-/// The ends of free edges, ascending.
+/// Returns the ends of free edges, ascending.
 pub(super) fn free_vertices(mesh: &MeshView<'_>, topology: &Topology) -> Result<Vec<u32>> {
     let mut is_free = alloc::filled(false, mesh.positions().len())?;
     free_edges(mesh, topology).flat_map(|(_, ends)| ends).for_each(|v| is_free[v as usize] = true);
     alloc::gather((0..).zip(&is_free).filter(|&(_, &free)| free).map(|(v, _)| v))
 }
 
-/// Sews what can be sewn; returns per vertex the smallest vertex of those that it is one with.
+/// Sews all possible pairs. Returns for each vertex the smallest vertex of its merged set.
 pub(super) fn sew(
     mesh: &MeshView<'_>,
     topology: &Topology,
@@ -58,9 +56,9 @@ pub(super) fn sew(
 ) -> Result<Vec<u32>> {
     let pairs = pairs(mesh, topology, clusters, &job.part(0.0, 0.3))?;
     let job = job.part(0.3, 1.0);
-    let corners = Corners::of(mesh, &job.part(0.0, 0.0))?;
+    let corners = Corners::new(mesh, &job.part(0.0, 0.0))?;
     job.step(0.0, STAGE)?;
-    let degree = alloc::collect((0..clusters.len()).map(|v| corners.at(v as u32).len() as u32))?;
+    let degree = alloc::collect((0..clusters.len()).map(|v| corners.corners_at(v as u32).len() as u32))?;
     let identity = || alloc::collect((0..clusters.len()).map(|v| v as u32));
     let mut sets = Sewing { mesh, topology, corners, collapse, label: identity()?, next: identity()?, degree };
     for (i, &[g, h]) in pairs.iter().enumerate() {
@@ -76,8 +74,8 @@ pub(super) fn sew(
     sets.smallest()
 }
 
-/// The pairs of free edges that lie on one another and on no third, by their smaller half-edges. An
-/// edge whose ends lie together is in none: its neighbours decide.
+/// Returns the pairs of free edges that coincide with each other and with no third edge, by their
+/// smaller half-edges. Edges with coincident ends are skipped: their neighbours decide.
 fn pairs(mesh: &MeshView<'_>, topology: &Topology, clusters: &[u32], job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
     job.step(0.0, STAGE)?;
     let clustered = free_edges(mesh, topology).map(|(h, ends)| (ends.map(|v| clusters[v as usize]), h));
@@ -92,34 +90,34 @@ fn pairs(mesh: &MeshView<'_>, topology: &Topology, clusters: &[u32], job: &Job<'
     Ok(pairs)
 }
 
-/// Two edges about to be one: the sets of vertices at either end, which are equal if they are one
-/// already. No set of one end is at the other, as the ends lie apart.
+/// Two edges to be sewn: the sets of vertices at either end, which are equal if they are merged
+/// already. The sets at different ends are disjoint, because the ends are apart.
 struct Seam([[u32; 2]; 2]);
 
 impl Seam {
-    /// The name of a set once the seam is sewn.
+    /// Returns the label of a set after sewing.
     fn name(&self, label: u32) -> u32 {
         self.0.iter().find(|&&[_, b]| b == label).map_or(label, |&[a, _]| a)
     }
 
-    /// The sets that will have this name.
+    /// Returns the sets that get this label.
     fn parts(&self, name: u32) -> impl Iterator<Item = u32> + use<> {
         let other = self.0.iter().find(|&&[a, b]| a == name && b != name).map(|&[_, b]| b);
         iter::once(name).chain(other)
     }
 }
 
-/// The vertices made one so far.
+/// The sets of vertices merged so far.
 struct Sewing<'m> {
     mesh: &'m MeshView<'m>,
     topology: &'m Topology,
     corners: Corners,
     collapse: bool,
-    /// Per vertex, the name of its set: one of its vertices.
+    /// For each vertex, the label of its set: one of its vertices.
     label: Vec<u32>,
-    /// Per vertex, the next one of its set, round and round.
+    /// For each vertex, the next vertex of its set in a cyclic list.
     next: Vec<u32>,
-    /// Per name of a set, the number of its corners.
+    /// For each label, the number of corners of its set.
     degree: Vec<u32>,
 }
 
@@ -135,10 +133,10 @@ impl Sewing<'_> {
     }
 
     fn corners(&self, label: u32) -> impl Iterator<Item = u32> {
-        self.vertices(label).flat_map(|v| self.corners.at(v).iter().copied())
+        self.vertices(label).flat_map(|v| self.corners.corners_at(v).iter().copied())
     }
 
-    /// The sets at the other ends of the half-edges that leave and reach corner `h`.
+    /// Returns the sets at the other ends of the half-edges that leave and reach corner `h`.
     fn neighbours(&self, h: u32) -> impl Iterator<Item = u32> {
         let faces = self.mesh.faces();
         let range = faces.range(self.corners.face(h));
@@ -149,7 +147,7 @@ impl Sewing<'_> {
         far.map(move |(_, corner)| self.label[faces.corner(corner) as usize])
     }
 
-    /// True if the face of corner `h` has a corner in a set.
+    /// Returns true if the face of corner `h` has a corner in a set.
     fn face_meets(&self, h: u32, label: u32) -> bool {
         let range = self.mesh.faces().range(self.corners.face(h));
         if range.len() <= self.degree[label as usize] as usize {
@@ -158,12 +156,12 @@ impl Sewing<'_> {
         self.corners(label).any(|corner| range.contains(&(corner as usize)))
     }
 
-    /// The sets at the corners of the face of corner `h`.
+    /// Returns the sets at the corners of the face of corner `h`.
     fn face(&self, h: u32) -> impl Iterator<Item = u32> {
         self.mesh.face(self.corners.face(h)).map(|v| self.label[v as usize])
     }
 
-    /// True if the seam does no harm.
+    /// Returns true if sewing the seam does no harm.
     fn fits(&self, seam: &Seam) -> bool {
         seam.0.iter().filter(|&[a, b]| a != b).all(|&[a, b]| {
             let [small, large] = if self.degree[a as usize] <= self.degree[b as usize] { [a, b] } else { [b, a] };
@@ -174,8 +172,8 @@ impl Sewing<'_> {
         })
     }
 
-    /// True if the seam makes one of several edges between sets `a` and `b` (names after sewing)
-    /// with more than two faces.
+    /// Returns true if the seam merges several edges between sets `a` and `b` (labels after sewing)
+    /// into one with more than two faces.
     fn crowds(&self, seam: &Seam, a: u32, b: u32) -> bool {
         let weight = |name| seam.parts(name).map(|label| u64::from(self.degree[label as usize])).sum::<u64>();
         let [from, to] = if weight(a) <= weight(b) { [a, b] } else { [b, a] };
@@ -191,7 +189,7 @@ impl Sewing<'_> {
         several && faces > 2
     }
 
-    /// True if the face of corner `h` keeps three different corners.
+    /// Returns true if the face of corner `h` keeps three different corners.
     fn survives(&self, seam: &Seam, h: u32) -> bool {
         if !self.collapse {
             return true;
@@ -207,7 +205,7 @@ impl Sewing<'_> {
         false
     }
 
-    /// Makes one set of two; the smaller one is renamed.
+    /// Merges two sets. The smaller one gets the label of the larger.
     fn unite(&mut self, a: u32, b: u32) {
         if a == b {
             return;
@@ -225,7 +223,7 @@ impl Sewing<'_> {
         self.next.swap(small as usize, large as usize);
     }
 
-    /// Per vertex, the smallest one of its set.
+    /// Returns for each vertex the smallest vertex of its set.
     fn smallest(self) -> Result<Vec<u32>> {
         let mut smallest = alloc::filled(NONE, self.label.len())?;
         for (v, &label) in self.label.iter().enumerate() {

@@ -1,12 +1,10 @@
-//! Sewing: borders that lie on one another become one, also where they do not match vertex by
-//! vertex.
+//! Sewing of borders that coincide, also where they do not match vertex by vertex.
 //!
-//! Borders that match are welded first ([`weld`](super::weld)). Where a vertex of one border then
-//! lies inside a free edge of another (a T-junction), the edge is split there if that makes pieces
-//! that match (`junctions`), its face follows (`split_mesh`), and the
-//! borders are welded again. Welding makes no edge of three faces and no degenerate face, and so
-//! does sewing; each free edge has one face and is split in one way. Vertices of the input do not
-//! move.
+//! Borders that match are welded first ([`weld`](super::weld)). Then a vertex of one border may lie
+//! inside a free edge of another (a T-junction). The edge is split there if that makes matching
+//! pieces (`junctions`), its face is split too (`split_mesh`), and the borders are welded again.
+//! Welding does not create edges with three faces or degenerate faces, and neither does sewing:
+//! each free edge has one face and is split in one way. Vertices of the input do not move.
 
 use super::corner_origins::CornerOrigins;
 use super::junctions::Junctions;
@@ -20,58 +18,58 @@ use gusset_mesh::{Mesh, MeshView, NONE, Topology};
 
 const STAGE: &str = "sewing borders";
 
-/// A sewn mesh, and what became of the old one.
+/// A sewn mesh, and the origins of its elements.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sew {
-    /// The old faces in their order. Triangles whose edges were split are triangles, one after the
-    /// other; larger faces have gained corners. Of vertices made one the smallest is left, and its
-    /// position keeps its bits; new vertices that are left come last.
+    /// The old faces in their order. Triangles with split edges become consecutive triangles;
+    /// larger faces gain corners. Merged vertices are replaced by the smallest, whose position
+    /// keeps its bits; remaining new vertices come last.
     pub mesh: Mesh,
-    /// Per old vertex, the new one; [`NONE`] if it was left out as unused.
+    /// For each old vertex, the new one; [`NONE`] if it was removed as unused.
     pub vertex_map: Vec<u32>,
-    /// Per old face, the first of those that it became; [`NONE`] if it was dropped.
+    /// For each old face, the first of its new faces; [`NONE`] if it was dropped.
     pub face_map: Vec<u32>,
-    /// Per new face, the old one that it is, or is a part of; ascending.
+    /// For each new face, the old face that it is, or is a part of; ascending.
     pub face_origin: Vec<u32>,
-    /// The number of the old mesh's corners.
+    /// The number of corners of the old mesh.
     pub old_corners: usize,
-    /// Per corner of the mesh the old one; `None` if all are left and none came to them.
+    /// For each corner of the mesh, its origin; `None` if the corners are unchanged.
     pub corner_origins: Option<CornerOrigins>,
-    /// The new vertices that are left, the last ones of the mesh: the vertices of the mesh at the
-    /// ends of the edge that each was put on, and how far along it is.
+    /// The remaining new vertices, which come last in the mesh: the ends of the edge that each was
+    /// inserted on, and the position along that edge.
     pub new_vertices: Vec<([u32; 2], f64)>,
-    /// Old vertices that lie together with another, or inside a free edge, and are not sewn to it;
-    /// ascending.
+    /// Old vertices that coincide with another vertex, or lie inside a free edge, and are not sewn
+    /// to it; ascending.
     pub left_vertices: Vec<u32>,
-    /// New vertices that several became, old ones or points of edges; ascending.
+    /// New vertices that were merged from several old vertices or points of edges; ascending.
     pub seam_vertices: Vec<u32>,
-    /// Vertices that became one with a smaller one.
+    /// The number of vertices that were merged into a smaller one.
     pub welded_vertices: u32,
-    /// Edges with two faces that were free edges, or parts of such.
+    /// The number of edges with two faces that were free edges, or parts of free edges.
     pub sewn_edges: u32,
-    /// Points at which free edges were split.
+    /// The number of points at which free edges were split.
     pub splits: u32,
-    /// Old faces that were cut or gained corners.
+    /// The number of old faces that were cut or gained corners.
     pub split_faces: u32,
-    /// Old faces dropped.
+    /// The number of old faces that were dropped.
     pub dropped_faces: u32,
-    /// How far apart what lies together was allowed to be, short edges apart.
+    /// The largest allowed distance between coincident vertices; less at short edges.
     pub tolerance: f64,
 }
 
 /// Sews a mesh. With [`Vertices::All`] all vertices are welded before edges are split, and borders
-/// after it. O(n log n) for meshes of bounded degree; linear extra memory.
+/// afterwards. O(n log n) for meshes of bounded degree; linear extra memory.
 ///
 /// # Errors
-/// Those of [`weld`], and [`Error::TooLarge`](gusset_base::Error::TooLarge) if the result has too many
-/// elements.
+/// As for [`weld`], and [`Error::TooLarge`](gusset_base::Error::TooLarge) if the result has too
+/// many elements.
 pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew> {
     let first = weld(mesh, options, &job.part(0.0, 0.4))?;
     let source = match options.tolerance {
         Some(tolerance) => Source::Given(tolerance),
-        None => Source::Found(first.tolerance),
+        None => Source::Earlier(first.tolerance),
     };
-    let mut done = Sew::of(first)?;
+    let mut done = Sew::from_weld(first)?;
     if done.mesh.face_count() == 0 {
         return Ok(done);
     }
@@ -84,14 +82,14 @@ pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew>
     let second = match split.split_faces {
         0 => None,
         _ => {
-            // Split vertices are used by no face until faces have theirs again.
+            // Split vertices are used by no face until the faces' own split vertices are restored.
             let remove_unused = options.remove_unused && !mesh.faces().is_merged();
             let options = Options { vertices: Vertices::Boundary, remove_unused, ..*options };
             let view = split.mesh.view(&job.part(0.75, 0.8))?;
             Some(weld_within(&view, &options, source, &job.part(0.8, 1.0))?)
         }
     };
-    done.enter_left(&left, second.as_ref())?;
+    done.list_left(&left, second.as_ref())?;
     if let Some(second) = second {
         done.follow(split, second)?;
     }
@@ -100,8 +98,8 @@ pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew>
 }
 
 impl Sew {
-    /// What welding alone makes.
-    pub fn of(weld: Weld) -> Result<Self> {
+    /// Converts the result of welding alone.
+    pub fn from_weld(weld: Weld) -> Result<Self> {
         let kept = weld.face_map.iter().zip(0..).filter(|&(&new, _)| new != NONE);
         let mut sources = alloc::filled(0u8, weld.mesh.positions.len())?;
         count_sources(&weld.vertex_map, |_| 1, &mut sources);
@@ -124,9 +122,9 @@ impl Sew {
         })
     }
 
-    /// Lists the old vertices that are left: those that are vertices `left` of the mesh, and those
-    /// that welding left, where it was done again the second time.
-    fn enter_left(&mut self, left: &[u32], again: Option<&Weld>) -> Result<()> {
+    /// Lists the old vertices that are not sewn: the vertices `left` of the mesh, and the vertices
+    /// that welding left, by its second pass if there was one.
+    fn list_left(&mut self, left: &[u32], again: Option<&Weld>) -> Result<()> {
         let mut is_left = alloc::filled(false, self.mesh.positions.len())?;
         left.iter().for_each(|&v| is_left[v as usize] = true);
         match again {
@@ -146,13 +144,12 @@ impl Sew {
         Ok(())
     }
 
-    /// Goes on from this mesh to the one whose edges were split, and from there to what welding
-    /// made of it.
+    /// Replaces this mesh by the mesh with split edges after it was welded again.
     fn follow(&mut self, split: SplitMesh, weld: Weld) -> Result<()> {
         let before = self.corner_origins.take();
         let left = before.as_ref().map(|origins| &origins.corners[..]);
-        self.corner_origins = Some(split.corner_origins.followed_by(weld.corners_left.as_deref())?.after(left));
-        self.enter_new(&split.new_vertices, &weld)?;
+        self.corner_origins = Some(split.corner_origins.restricted_to(weld.corners_left.as_deref())?.rebased(left));
+        self.list_new(&split.new_vertices, &weld)?;
         self.splits = (split.mesh.positions.len() - self.mesh.positions.len()) as u32;
         let mut origin = alloc::with_capacity(weld.mesh.face_count())?;
         let kept = weld.face_map.iter().zip(&split.face_origin).filter(|&(&new, _)| new != NONE);
@@ -176,12 +173,12 @@ impl Sew {
         self.count_welded()
     }
 
-    /// Lists the vertices at splits that are no old ones.
-    fn enter_new(&mut self, new: &[([u32; 2], f64)], weld: &Weld) -> Result<()> {
+    /// Lists the vertices at splits that are not old vertices.
+    fn list_new(&mut self, new: &[([u32; 2], f64)], weld: &Weld) -> Result<()> {
         let (old, of_splits) = weld.vertex_map.split_at(self.mesh.positions.len());
         let mut next = old.iter().filter(|&&name| name != NONE).max().map_or(0, |last| last + 1);
         for (&name, &(ends, at)) in of_splits.iter().zip(new) {
-            // Of several that became one the first counts.
+            // List the first of several merged vertices.
             if name == next {
                 alloc::push(&mut self.new_vertices, (ends.map(|v| old[v as usize]), at))?;
                 next += 1;
@@ -198,16 +195,16 @@ impl Sew {
     }
 }
 
-/// Adds up how many vertices became each new one, as far as two; `of`: how many an old one counts
-/// for.
-fn count_sources(vertex_map: &[u32], of: impl Fn(usize) -> u8, sources: &mut [u8]) {
+/// Counts the vertices that were merged into each new vertex, saturating at two. `weight` returns
+/// the count of an old vertex.
+fn count_sources(vertex_map: &[u32], weight: impl Fn(usize) -> u8, sources: &mut [u8]) {
     for (old, &new) in vertex_map.iter().enumerate().filter(|&(_, &new)| new != NONE) {
         let count = &mut sources[new as usize];
-        *count = (*count + of(old)).min(2);
+        *count = (*count + weight(old)).min(2);
     }
 }
 
-/// The vertices of several sources.
+/// Returns the vertices with several sources.
 fn several(sources: &[u8]) -> Result<Vec<u32>> {
     alloc::gather(sources.iter().zip(0..).filter(|&(&count, _)| count > 1).map(|(_, v)| v))
 }

@@ -1,9 +1,9 @@
-//! A face whose edges are split, and its parts.
+//! A face with split edges, and its parts.
 //!
-//! A triangle is cut by fans. The side with the most new vertices is seen from the corner across;
-//! what lies between its first new vertex and the side before, and between its last one and the side
-//! after, is seen from these. None of the parts has three corners on one side, and their number is
-//! linear. Larger faces gain corners.
+//! A triangle is cut into fans. The side with the most new vertices is joined to the opposite
+//! corner. The first new vertex is joined to the vertices of the side before, and the last one to
+//! the side after. No part has three corners on one side, and the number of parts is linear. Larger
+//! faces gain corners.
 
 use super::corner_origins::Corner;
 use glam::DVec3;
@@ -12,21 +12,21 @@ use gusset_base::error::Result;
 use gusset_base::geom::scale::common_unit;
 use gusset_mesh::MeshView;
 
-/// A corner of a face with new vertices: its vertex, and where it is on the old face.
+/// A corner of a face with new vertices: its vertex, and its place on the old face.
 pub(super) type PlacedCorner = (u32, Corner);
 
 /// A face with new vertices on its edges.
 #[derive(Default)]
 pub(super) struct SplitFace {
-    /// Its old corners and the new ones, all the way round.
+    /// The old corners and the new ones in cyclic order.
     ring: Vec<PlacedCorner>,
-    /// Where the old corners are in it.
+    /// The indices of the old corners in `ring`.
     corners: Vec<usize>,
 }
 
 impl SplitFace {
-    /// Face `f` with vertices on its half-edges, in the order of both: the half-edge, how far along
-    /// it, and the vertex.
+    /// Sets face `f` with vertices on its half-edges. The places are ordered triples of the
+    /// half-edge, the position along it, and the vertex.
     pub(super) fn set(
         &mut self,
         mesh: &MeshView<'_>,
@@ -52,7 +52,7 @@ impl SplitFace {
     pub(super) fn parts(&self, mut emit: impl FnMut(&[PlacedCorner]) -> Result<()>) -> Result<()> {
         let count = self.ring.len();
         let &[a, b, c] = self.corners.as_slice() else { return emit(&self.ring) };
-        // The sides as places in the ring, from corner to corner.
+        // The sides as ranges of the ring, from corner to corner.
         let sides = [[a, b], [b, c], [c, count]];
         let base = (0..3).rev().max_by_key(|&k| sides[k][1] - sides[k][0]).unwrap_or(0);
         let [[first, last], after, before] = [0, 1, 2].map(|k| sides[(base + k) % 3]);
@@ -69,8 +69,8 @@ impl SplitFace {
     }
 }
 
-/// True if all parts of a triangle look the same way as it does; true for larger faces. New vertices
-/// are named by old ones that lie there.
+/// Returns true if all parts of a triangle have its orientation; true for larger faces. Old
+/// vertices at the new places give the positions.
 pub(super) fn is_upright(mesh: &MeshView<'_>, f: usize, split: &SplitFace) -> bool {
     if mesh.faces().range(f).len() != 3 {
         return true;

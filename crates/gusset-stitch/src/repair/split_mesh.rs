@@ -9,26 +9,26 @@ use gusset_base::job::Job;
 use gusset_mesh::{Mesh, MeshView, PositionBuffer, check_size};
 use std::ops::Range;
 
-/// Faces between two progress reports.
+/// Number of faces between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;
 
 const STAGE: &str = "splitting edges";
 
 /// A mesh with split edges.
 pub(super) struct SplitMesh {
-    /// The old vertices, then one for each split.
+    /// The old vertices, then one vertex for each split.
     pub(super) mesh: Mesh,
-    /// Per face, the old one.
+    /// For each face, the old face.
     pub(super) face_origin: Vec<u32>,
     pub(super) corner_origins: CornerOrigins,
-    /// Per new vertex, the ends of its edge, and how far along it is.
+    /// For each new vertex, the ends of its edge, and the position along the edge.
     pub(super) new_vertices: Vec<([u32; 2], f64)>,
-    /// How many faces were split or gained corners.
+    /// The number of faces that were split or gained corners.
     pub(super) split_faces: u32,
 }
 
-/// Splits the edges: each split has a vertex of its own, at the position of the one that it is
-/// split at. O(V + H).
+/// Splits the edges. Each split gets a vertex of its own, at the position of the vertex that lies
+/// there. O(V + H).
 pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &Junctions, job: &Job<'_>) -> Result<SplitMesh> {
     let Junctions { edges, splits, .. } = junctions;
     let (vertices, faces) = (mesh.positions().len(), mesh.faces().len());
@@ -38,7 +38,7 @@ pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &Junctions, job: &Job<
     let sources = alloc::collect(splits.iter().map(|split| split.vertex))?;
     positions.append(&PositionBuffer::gather(mesh.positions(), &sources)?.view(), 0..sources.len())?;
 
-    // A split adds two faces or a corner at the most.
+    // A split adds at most two faces or one corner.
     let (corners, count) = (mesh.faces().half_edge_count() + 6 * splits.len(), faces + 2 * splits.len());
     let mut face_offsets = alloc::with_capacity(count + 1)?;
     face_offsets.push(0);
@@ -57,7 +57,7 @@ pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &Junctions, job: &Job<
             job.step(f as f64 / faces as f64, STAGE)?;
             reported = f;
         }
-        // Faces that stay as they are, many at once.
+        // Append runs of unchanged faces at once.
         let until = face_of(next).unwrap_or(faces).min(f + REPORT_INTERVAL);
         if f < until {
             done.append(mesh, f..until)?;
@@ -84,7 +84,7 @@ pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &Junctions, job: &Job<
 }
 
 impl SplitMesh {
-    /// Appends some faces, not none, as they are.
+    /// Appends a non-empty range of unchanged faces.
     fn append(&mut self, mesh: &MeshView<'_>, range: Range<usize>) -> Result<()> {
         let given = mesh.faces();
         let corners = given.range(range.start).start..given.range(range.end - 1).end;
@@ -96,7 +96,7 @@ impl SplitMesh {
         alloc::extend(&mut self.face_origin, range.map(|f| f as u32))
     }
 
-    /// Ends a face that was a part of face `f`.
+    /// Ends a face that is a part of face `f`.
     fn end_face(&mut self, f: usize) -> Result<()> {
         alloc::push(&mut self.mesh.face_offsets, self.mesh.face_corners.len() as u32)?;
         alloc::push(&mut self.face_origin, f as u32)

@@ -1,23 +1,23 @@
-//! The tolerance that the data call for: how far apart two copies of one vertex can be that were
-//! rounded apart.
+//! The default tolerance: the largest distance between two copies of one vertex that rounding can
+//! explain.
 //!
-//! Two causes, and the larger counts:
+//! Two causes are considered, and the larger applies:
 //!
-//! * **The scalar type.** [`ULPS`] units in the last place of the largest coordinate: 2^-19 of its
-//!   magnitude for 32 bits, 2^-48 for 64. In 32 bits this covers what was written with seven
-//!   significant digits, whatever the first one is: sqrt 3 units of 1e-6.
-//! * **The digits that the data show**, where files had fewer than the type holds. Decimal step u =
-//!   10^p is shown if at least a third of the coordinates that are no round numbers are its
-//!   multiples, up to what rounding did to them; the coarsest counts. Of numbers with a further
-//!   digit a tenth are multiples by chance. Looked at are the coordinates of the largest decade,
-//!   where significant digits and decimals have the same step, and the differences of successive
-//!   ones, which shifting leaves alone. Round numbers, the multiples of 1e-4 of the size, show
-//!   nothing: a coarse grid is meant. Two copies rounded to neighbouring steps are u apart along
-//!   each axis, sqrt 3 u in space; 2 u are taken, as conversions round too.
+//! * **The scalar type**: [`ULPS`] units in the last place of the largest coordinate, which is
+//!   2^-19 of its magnitude for 32 bits and 2^-48 for 64. In 32 bits this covers numbers written
+//!   with seven significant digits, for any first digit: sqrt 3 units of 1e-6.
+//! * **The visible digits**, for files with fewer digits than the type holds. A decimal step u =
+//!   10^p is visible if at least a third of the non-round coordinates are multiples of u, up to
+//!   rounding. The coarsest visible step applies. With one more digit, a tenth are multiples by
+//!   chance. The test uses the coordinates of the largest decade, in which significant digits and
+//!   decimals have the same step. It also uses the differences of successive coordinates, which are
+//!   invariant under translation. Round numbers, the multiples of 1e-4 of the size, are ignored:
+//!   they come from coarse grids. Two copies rounded to neighbouring steps are u apart along each
+//!   axis, and sqrt 3 u in space. The tolerance is 2 u, because conversions round too.
 //!
-//! **No edge collapses**: each vertex has a reach, the tolerance, but at most [`MAX_EDGE_SHARE`] of
-//! the shortest edge that ends there. What is within the reach of one vertex, and it within theirs,
-//! is half that edge apart at most. O(V + H) time.
+//! **Edges do not collapse**: the reach of each vertex is the tolerance, limited to
+//! [`MAX_EDGE_SHARE`] of the shortest edge at the vertex. Vertices within mutual reach are at most
+//! half that edge apart. O(V + H) time.
 
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -26,66 +26,67 @@ use gusset_base::geom::scale::distance;
 use gusset_base::job::Job;
 use gusset_mesh::{MeshView, Scalar, half_edges};
 
-/// What computing can be off by, in units in the last place of the largest coordinate.
+/// Round-off of computations, in units in the last place of the largest coordinate.
 const ULPS: f64 = 16.0;
 
-/// The share of the shortest edge at a vertex that its reach may be.
+/// Largest reach of a vertex, relative to the shortest edge at the vertex.
 const MAX_EDGE_SHARE: f64 = 0.25;
 
-/// How many decimal places below the first digit of the size the coarsest step is that counts as
-/// a matter of rounding.
+/// Number of decimal places from the first digit of the size to the coarsest step that may be
+/// rounding.
 const FIRST_PLACE: i32 = 5;
 
-/// Powers of ten up to this exponent are exact.
+/// Powers of ten are exact up to this exponent.
 const MAX_EXACT_POWER: i32 = 22;
 
-/// Coordinates that are no round numbers show something from this count on.
+/// Smallest number of non-round coordinates that can show a step.
 const MIN_COUNT: usize = 8;
 
-/// The largest decade has at least this share of the coordinates: others are outliers.
-const MIN_DECADE_SHARE: usize = 64;
+/// The largest decade has at least one in this number of coordinates; larger coordinates are
+/// outliers.
+const MAX_COORDINATES_PER_DECADE: usize = 64;
 
-/// Decades told apart below the largest coordinate's.
+/// Number of decades below the largest coordinate that are distinguished.
 const DECADES: usize = 8;
 
-/// Steps told apart.
+/// Number of steps that are distinguished.
 const STEPS: usize = 16;
 
-/// Vertices, or faces, between two progress reports.
+/// Number of vertices, or faces, between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;
 
 const STAGE: &str = "tolerance";
 
-/// Where the tolerance is from.
+/// The source of the tolerance.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Source {
-    /// The data call for it.
+    /// Derived from the data.
     Data,
-    /// The data called for it before.
-    Found(f64),
-    /// The caller gave it, finite and not negative: it holds for short edges too.
+    /// Derived from the data in an earlier pass.
+    Earlier(f64),
+    /// Given by the caller, finite and not negative. It is not limited at short edges.
     Given(f64),
 }
 
-/// How far apart vertices that lie together may be.
+/// The largest distance between coincident vertices.
 pub(super) struct Tolerance {
     /// The largest distance; 0 for equal positions.
     pub(super) length: f64,
-    /// Per member, the largest distance from it; empty for equal positions.
+    /// For each member, the largest distance from it; empty for equal positions.
     pub(super) reach: Vec<f64>,
 }
 
 impl Tolerance {
-    /// The tolerance for `members`, which have finite positions.
-    pub(super) fn of(mesh: &MeshView<'_>, members: &[u32], source: Source, job: &Job<'_>) -> Result<Self> {
+    /// Finds the tolerance for `members`, which have finite positions.
+    pub(super) fn find(mesh: &MeshView<'_>, members: &[u32], source: Source, job: &Job<'_>) -> Result<Self> {
         let length = match source {
             Source::Data => round_off(mesh, members, &job.part(0.0, 0.5))?,
-            Source::Found(length) | Source::Given(length) => length,
+            Source::Earlier(length) | Source::Given(length) => length,
         };
         let reach = match source {
             _ if length == 0.0 => Vec::new(),
             Source::Given(_) => alloc::filled(length, members.len())?,
-            Source::Data | Source::Found(_) => {
+            Source::Data | Source::Earlier(_) => {
                 let edges = shortest_edges(mesh, members, &job.part(0.5, 1.0))?;
                 alloc::collect(members.iter().map(|&v| length.min(MAX_EDGE_SHARE * edges[v as usize])))?
             }
@@ -94,7 +95,7 @@ impl Tolerance {
     }
 }
 
-/// How far two copies of one vertex can be apart.
+/// Returns the largest distance between two copies of one vertex.
 fn round_off(mesh: &MeshView<'_>, members: &[u32], job: &Job<'_>) -> Result<f64> {
     let at = |v: u32| mesh.positions().get(v);
     let whole = Aabb::from_points(members.iter().map(|&v| at(v)));
@@ -120,10 +121,10 @@ fn round_off(mesh: &MeshView<'_>, members: &[u32], job: &Job<'_>) -> Result<f64>
         job.step_every(REPORT_INTERVAL, members.len() + i, 2 * members.len(), STAGE)?;
         let before = at(members[i.saturating_sub(1)]);
         for (x, y) in at(v).to_array().into_iter().zip(before.to_array()) {
-            if Some(decades.of(x)) == largest {
-                coordinates.enter(steps.of(x, x.abs()));
+            if Some(decades.index(x)) == largest {
+                coordinates.add(steps.classify(x, x.abs()));
             }
-            differences.enter(steps.of(x - y, x.abs() + y.abs()));
+            differences.add(steps.classify(x - y, x.abs() + y.abs()));
         }
     }
     let shown = [coordinates, differences].iter().filter_map(Histogram::shown).min();
@@ -132,25 +133,25 @@ fn round_off(mesh: &MeshView<'_>, members: &[u32], job: &Job<'_>) -> Result<f64>
 
 /// Decimal steps in descending order.
 struct Steps {
-    /// The exponent of the first.
+    /// The exponent of the first step.
     first: i32,
-    /// The relative error of a coordinate: of its conversion, and of a change of unit.
+    /// The relative error of a coordinate, due to conversions and a change of unit.
     error: f64,
 }
 
-/// What is known of a coordinate.
+/// The digits of a coordinate.
 #[derive(Clone, Copy)]
 enum Shown {
     /// It is a multiple of coarser steps too.
     Round,
     /// The coarsest step that it is a multiple of.
     Step(usize),
-    /// It has digits wherever it can be seen.
-    All,
+    /// It has digits at all visible places.
+    AllDigits,
 }
 
 impl Steps {
-    /// None if powers of ten of this size are not exact.
+    /// Returns `None` if powers of ten of this size are not exact.
     fn new(extent: f64, unit_round_off: f64) -> Option<Self> {
         let first = decade(extent)? - FIRST_PLACE;
         ((first + 1).abs() <= MAX_EXACT_POWER).then_some(Steps { first, error: 2.0 * unit_round_off })
@@ -161,26 +162,26 @@ impl Steps {
         if exponent < 0 { 1.0 / 10f64.powi(-exponent) } else { 10f64.powi(exponent) }
     }
 
-    /// What `x` shows, which was made from coordinates of magnitude `size`.
-    fn of(&self, x: f64, size: f64) -> Shown {
+    /// Classifies `x`, which was computed from coordinates of magnitude `size`.
+    fn classify(&self, x: f64, size: f64) -> Shown {
         let error = self.error * size;
         for k in 0..=STEPS {
             let exponent = self.first + 1 - k as i32;
             let power = 10f64.powi(exponent.abs());
             let [x, error] = [x, error].map(|x| if exponent < 0 { x * power } else { x / power });
-            // Farther on one in four is a multiple by chance, or the power is not exact.
+            // Beyond this, one number in four is a multiple by chance, or the power is not exact.
             if error > 0.125 || exponent < -MAX_EXACT_POWER {
-                return Shown::All;
+                return Shown::AllDigits;
             }
             if (x - x.round()).abs() <= error {
                 return if k == 0 { Shown::Round } else { Shown::Step(k - 1) };
             }
         }
-        Shown::All
+        Shown::AllDigits
     }
 }
 
-/// How many coordinates show what.
+/// The number of coordinates of each class.
 #[derive(Default)]
 struct Histogram {
     steps: [usize; STEPS],
@@ -188,15 +189,15 @@ struct Histogram {
 }
 
 impl Histogram {
-    fn enter(&mut self, shown: Shown) {
+    fn add(&mut self, shown: Shown) {
         match shown {
             Shown::Round => {}
             Shown::Step(step) => self.steps[step] += 1,
-            Shown::All => self.others += 1,
+            Shown::AllDigits => self.others += 1,
         }
     }
 
-    /// The coarsest step that a third are multiples of.
+    /// Returns the coarsest step of which a third of the coordinates are multiples.
     fn shown(&self) -> Option<usize> {
         let count = self.others + self.steps.iter().sum::<usize>();
         let mut multiples = 0;
@@ -207,7 +208,7 @@ impl Histogram {
     }
 }
 
-/// How many coordinates there are of each order of magnitude.
+/// The number of coordinates of each order of magnitude.
 struct Decades {
     first: i32,
     counts: [usize; DECADES],
@@ -218,33 +219,33 @@ impl Decades {
         Decades { first: decade(size).unwrap_or(0), counts: [0; DECADES] }
     }
 
-    /// The place of a number's decade; [`DECADES`] if it is below all.
-    fn of(&self, x: f64) -> usize {
+    /// Returns the index of a number's decade; [`DECADES`] if it is below all.
+    fn index(&self, x: f64) -> usize {
         decade(x.abs()).map_or(DECADES, |exponent| DECADES.min((self.first - exponent).max(0) as usize))
     }
 
     fn count(&mut self, x: f64) {
-        let decade = self.of(x);
+        let decade = self.index(x);
         if let Some(count) = self.counts.get_mut(decade) {
             *count += 1;
         }
     }
 
-    /// The largest that is not one of outliers, among `total` coordinates.
+    /// Returns the largest decade that does not consist of outliers, among `total` coordinates.
     fn largest(&self, total: usize) -> Option<usize> {
-        self.counts.iter().position(|&count| count >= MIN_COUNT.max(total / MIN_DECADE_SHARE))
+        self.counts.iter().position(|&count| count >= MIN_COUNT.max(total / MAX_COORDINATES_PER_DECADE))
     }
 }
 
-/// The exponent of the largest power of ten that does not exceed a number above 0, up to the
+/// Returns the exponent of the largest power of ten that does not exceed a positive number, up to
 /// rounding of that power.
 fn decade(x: f64) -> Option<i32> {
-    // A power of ten that a change of unit has rounded down is still one.
+    // A power of ten that a change of unit rounded down still counts.
     (x > 0.0 && x.is_finite()).then(|| (libm::log10(x) + 1e-9).floor() as i32)
 }
 
-/// Per vertex, the length of the shortest edge that ends there and has a length; infinite if there
-/// is none, and 0 for others than members.
+/// Returns for each vertex the length of the shortest edge at it with positive length. It is
+/// infinite without such edges, and 0 for vertices that are not members.
 fn shortest_edges(mesh: &MeshView<'_>, members: &[u32], job: &Job<'_>) -> Result<Vec<f64>> {
     let mut shortest: Vec<f64> = alloc::filled(0.0, mesh.positions().len())?;
     members.iter().for_each(|&v| shortest[v as usize] = f64::INFINITY);

@@ -1,16 +1,17 @@
-//! Welding: one vertex instead of several that lie together.
+//! Welding: merging of vertices that lie together.
 //!
-//! Borders are **sewn**: free edges that lie on one another become one edge, two by two, and with
-//! them their ends. Where more lie together none is preferred, and a pair is left where sewing it
-//! would make one of two corners of a face or put more than two faces to an edge: a manifold stays
-//! one. Or **all** vertices that lie together become one, as triangle soups need it, whatever comes
-//! of the edges. The faces' orientation plays no part: sheets may be inside out against each other.
+//! By default borders are **sewn**: pairs of coincident free edges become one edge, and their ends
+//! are merged. If more than two coincide, none is preferred. A pair is skipped if sewing it would
+//! merge two corners of a face, or put more than two faces at an edge: a manifold stays a manifold.
+//! With [`Vertices::All`], **all** coincident vertices are merged, as triangle soups need, whatever
+//! happens to the edges. The orientation of the faces does not matter: sheets may be inside out
+//! relative to each other.
 //!
-//! Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed
-//! claims the unclaimed ones within the tolerance of it, nearest first. So nothing chains, and
-//! groups of vertices that are narrower than the tolerance and farther apart than it are found
-//! whatever the numbers of the vertices are. By default the tolerance is what rounding can have
-//! done to the coordinates, and no edge's ends lie together: see `tolerance`.
+//! With a tolerance, each unclaimed vertex in ascending order claims the unclaimed vertices within
+//! the tolerance, nearest first. So clusters do not chain. Groups of vertices that are narrower
+//! than the tolerance, and farther apart than it, are found for any vertex order. The default
+//! tolerance covers the rounding of the coordinates, and keeps the ends of every edge apart: see
+//! `tolerance`.
 
 use super::cluster::Clusters;
 use super::corners::Corners;
@@ -23,15 +24,15 @@ use gusset_base::job::Job;
 use gusset_base::sort::sort;
 use gusset_mesh::{Mesh, MeshView, NONE, PositionBuffer, Topology, half_edges, unordered};
 
-/// Faces, and edges, between two progress reports.
+/// Number of faces, or edges, between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 18;
 
 const STAGE: &str = "welding";
 
-/// Which vertices are welded.
+/// The vertices to weld.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Vertices {
-    /// The ends of free edges: borders that lie on one another are sewn, edge to edge.
+    /// The ends of free edges. Borders that coincide are sewn edge to edge.
     #[default]
     Boundary,
     /// All vertices that faces use.
@@ -43,51 +44,53 @@ choices! { for Vertices:
     All => "All vertices", "All coincident vertices, whatever becomes of the edges.";
 }
 
-/// How to weld.
+/// Options of [`weld`].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {
-    /// Which vertices.
+    /// The vertices to weld.
     pub vertices: Vertices,
-    /// How far apart vertices that lie together may be, finite and at least 0; 0: not at all, where
-    /// -0 equals 0. `None`: as far as rounding to the type of the coordinates, or to the decimal
-    /// digits that they show, can have put copies of one vertex, and at each vertex at most a
-    /// quarter of the shortest edge that ends there, so that no edge collapses.
+    /// The largest distance between vertices that are merged, finite and at least 0. 0 requires
+    /// equal positions, where -0 equals 0.
+    ///
+    /// `None` derives it from the data: it covers rounding to the coordinates' type, or to their
+    /// visible decimal digits. At each vertex it is limited to a quarter of the shortest edge
+    /// there, so that edges do not collapse.
     pub tolerance: Option<f64>,
-    /// Corners of one face may become one: successive ones are then one corner, and a face of fewer
-    /// than three different vertices is dropped. Otherwise corners of one face stay apart.
+    /// If true, corners of one face may be merged. Successive equal corners become one, and a face
+    /// with fewer than three different vertices is dropped. If false, corners of one face stay
+    /// apart.
     pub collapse: bool,
-    /// Vertices that no face of the result uses are left out.
+    /// If true, vertices that no face of the result uses are removed.
     pub remove_unused: bool,
 }
 
-/// A welded mesh, and what became of the old one. Indices are those of the old mesh; lists are
-/// ascending.
+/// A welded mesh and its maps. Indices refer to the old mesh; lists are ascending.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Weld {
-    /// The old faces in their order, each from its own first corner, and the vertices that are left
-    /// in theirs. Of vertices made one the smallest is left, and its position keeps its bits.
+    /// The old faces in their order, each from its own first corner, and the remaining vertices in
+    /// their order. Merged vertices are replaced by the smallest, whose position keeps its bits.
     pub mesh: Mesh,
-    /// Per old vertex, the new one; [`NONE`] if it was left out as unused.
+    /// For each old vertex, the new one; [`NONE`] if it was removed as unused.
     pub vertex_map: Vec<u32>,
-    /// Per old face, the new one; [`NONE`] if it was dropped.
+    /// For each old face, the new one; [`NONE`] if it was dropped.
     pub face_map: Vec<u32>,
-    /// The number of the old mesh's corners.
+    /// The number of corners of the old mesh.
     pub old_corners: usize,
-    /// Per corner of the mesh, the old one; `None` if all are left.
+    /// For each corner of the mesh, the old one; `None` if all remain.
     pub corners_left: Option<Vec<u32>>,
-    /// Vertices that became one with a smaller one.
+    /// The number of vertices that were merged into a smaller one.
     pub welded_vertices: u32,
-    /// How far apart vertices that lie together were allowed to be, short edges apart.
+    /// The largest allowed distance between coincident vertices; less at short edges.
     pub tolerance: f64,
-    /// Edges with two faces that were two free edges.
+    /// The number of edges with two faces that were two free edges.
     pub sewn_edges: u32,
-    /// Faces dropped.
+    /// The number of dropped faces.
     pub dropped_faces: u32,
-    /// Half-edges of free edges that lie on another edge and did not become one edge of two faces
-    /// with it: three or more lie together there, or sewing would have done harm. With
-    /// [`Vertices::All`] they may be one edge of three or more faces by now.
+    /// Half-edges of free edges that coincide with another edge but were not sewn to it: three or
+    /// more edges coincide, or sewing would do harm. With [`Vertices::All`] they may now form one
+    /// edge with three or more faces.
     pub left_edges: Vec<u32>,
-    /// Vertices that lie together with another and are not one with it.
+    /// Vertices that coincide with another vertex but were not merged with it.
     pub left_vertices: Vec<u32>,
 }
 
@@ -102,31 +105,31 @@ pub fn weld(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Wel
     weld_within(mesh, options, options.tolerance.map_or(Source::Data, Source::Given), job)
 }
 
-/// Welds by a tolerance from elsewhere than the options.
+/// Welds with a tolerance from another source than the options.
 pub(super) fn weld_within(mesh: &MeshView<'_>, options: &Options, source: Source, job: &Job<'_>) -> Result<Weld> {
     let topology = Topology::new(mesh, &job.part(0.0, 0.2))?;
     let sewing = options.vertices == Vertices::Boundary;
     job.step(0.2, STAGE)?;
     let members = members(mesh, &topology, sewing)?;
-    let tolerance = Tolerance::of(mesh, &members, source, &job.part(0.2, 0.3))?;
+    let tolerance = Tolerance::find(mesh, &members, source, &job.part(0.2, 0.3))?;
     job.step(0.3, STAGE)?;
-    let corners = if sewing || options.collapse { None } else { Some(Corners::of(mesh, &job.part(0.3, 0.3))?) };
+    let corners = if sewing || options.collapse { None } else { Some(Corners::new(mesh, &job.part(0.3, 0.3))?) };
     let mut clusters = Clusters::find(mesh, &members, &tolerance.reach, corners.as_ref(), &job.part(0.3, 0.6))?;
     let representative = match sewing {
-        true => sew(mesh, &topology, &clusters.of, options.collapse, &job.part(0.6, 0.9))?,
-        false => alloc::copied(&clusters.of)?,
+        true => sew(mesh, &topology, &clusters.representative, options.collapse, &job.part(0.6, 0.9))?,
+        false => alloc::copied(&clusters.representative)?,
     };
-    let mut welded = rebuilt(mesh, &representative, options, &job.part(0.9, 0.95))?;
+    let mut welded = rebuild(mesh, &representative, options, &job.part(0.9, 0.95))?;
     welded.tolerance = tolerance.length;
-    let places = [&clusters.of[..], &representative];
+    let places = [&clusters.representative[..], &representative];
     welded.count_edges(mesh, &topology, places, sewing, &job.part(0.95, 1.0))?;
-    clusters.enter_split(&members, &representative, &job.part(1.0, 1.0))?;
+    clusters.add_split(&members, &representative, &job.part(1.0, 1.0))?;
     welded.left_vertices = clusters.kept_apart;
     job.step(1.0, STAGE)?;
     Ok(welded)
 }
 
-/// The vertices that may be welded, ascending.
+/// Returns the vertices that may be welded, ascending.
 fn members(mesh: &MeshView<'_>, topology: &Topology, boundary: bool) -> Result<Vec<u32>> {
     if boundary {
         return free_vertices(mesh, topology);
@@ -137,17 +140,17 @@ fn members(mesh: &MeshView<'_>, topology: &Topology, boundary: bool) -> Result<V
 }
 
 impl Clusters {
-    /// Adds the members of clusters that did not become one vertex to those kept apart, and brings
-    /// these in order.
-    fn enter_split(&mut self, members: &[u32], representative: &[u32], job: &Job<'_>) -> Result<()> {
+    /// Adds the members of clusters that were not merged into one vertex to those kept apart, and
+    /// sorts these.
+    fn add_split(&mut self, members: &[u32], representative: &[u32], job: &Job<'_>) -> Result<()> {
         job.step(0.0, STAGE)?;
-        let mut split = alloc::filled(false, self.of.len())?;
+        let mut split = alloc::filled(false, self.representative.len())?;
         for &v in members {
-            let cluster = self.of[v as usize] as usize;
+            let cluster = self.representative[v as usize] as usize;
             split[cluster] |= representative[v as usize] != representative[cluster];
         }
         job.step(0.0, STAGE)?;
-        let split = members.iter().filter(|&&v| split[self.of[v as usize] as usize]);
+        let split = members.iter().filter(|&&v| split[self.representative[v as usize] as usize]);
         alloc::extend(&mut self.kept_apart, split.copied())?;
         sort(&mut self.kept_apart, Ord::cmp, job, STAGE)?;
         self.kept_apart.dedup();
@@ -155,8 +158,8 @@ impl Clusters {
     }
 }
 
-/// The mesh with each vertex replaced by its representative, and the maps.
-fn rebuilt(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: &Job<'_>) -> Result<Weld> {
+/// Returns the mesh with each vertex replaced by its representative, and the maps.
+fn rebuild(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: &Job<'_>) -> Result<Weld> {
     job.step(0.0, STAGE)?;
     let faces = mesh.faces();
     let mut face_map = alloc::with_capacity(faces.len())?;
@@ -185,7 +188,7 @@ fn rebuilt(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: 
     let mut stays = alloc::filled(!options.remove_unused, representative.len())?;
     face_corners.iter().for_each(|&v| stays[v as usize] = true);
     if faces.is_merged() {
-        // Faces will have their split vertices again.
+        // Keep the split vertices of merged faces, which are restored later.
         let mut stay = |h| stays[representative[faces.split_corner(h) as usize] as usize] = true;
         match options.collapse {
             true => left.iter().copied().for_each(&mut stay),
@@ -194,7 +197,7 @@ fn rebuilt(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: 
     }
     let mut kept = Vec::new();
     let mut vertex_map = alloc::filled(NONE, representative.len())?;
-    // A representative comes before those that it stands for.
+    // A representative comes before the other vertices of its cluster.
     for (v, &r) in representative.iter().enumerate() {
         if r as usize != v {
             vertex_map[v] = vertex_map[r as usize];
@@ -221,8 +224,8 @@ fn rebuilt(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: 
     })
 }
 
-/// Makes one corner of successive equal ones, of the face from corner `start` on, and keeps those
-/// that are `left` beside them; false if fewer than three different vertices are left.
+/// Merges successive equal corners of the face from corner `start`, and keeps the parallel list
+/// `left` in step. Returns false if fewer than three different vertices remain.
 fn close_gaps(corners: &mut Vec<u32>, left: &mut Vec<u32>, start: usize) -> bool {
     let mut end = start;
     for k in start..corners.len() {
@@ -241,7 +244,8 @@ fn close_gaps(corners: &mut Vec<u32>, left: &mut Vec<u32>, start: usize) -> bool
 }
 
 impl Weld {
-    /// Counts the edges sewn, and lists the free ones that lie on another and are not.
+    /// Counts the sewn edges, and lists the free edges that coincide with another edge and were not
+    /// sewn.
     fn count_edges(
         &mut self,
         mesh: &MeshView<'_>,

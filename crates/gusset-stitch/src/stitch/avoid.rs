@@ -1,32 +1,35 @@
-//! Another strip where one cuts itself or a piece.
+//! Avoidance of intersections: searches for another strip if one intersects itself or a piece.
 //!
-//! The steps whose triangles cut get a penalty, of what a few steps cost, and the cheapest
-//! meridians near the old ones are found again: the strip goes another way there and stays as it was
-//! elsewhere. What still cuts gets another. After some rounds the same is tried from the
-//! strips of other measures; of all strips the one that cuts least is kept, of equals the first.
+//! The steps whose triangles intersect get a penalty of a few mean steps. The cheapest meridians
+//! near the old ones are then searched again: the strip changes there, and stays as it was
+//! elsewhere. Remaining intersections get further penalties. After some rounds the search starts
+//! again from the strips of other measures. The strip with the fewest intersections is kept, the
+//! first of equals.
 
 use super::meridian::{Meridians, Pair, StepPenalty};
 use super::neighbourhood::{IntersectingTriangles, Neighbourhood};
 use super::stitch_request::Options;
 use super::stitch_rim::Bridges;
-use super::strip::{Strip, from_given_start, near};
+use super::strip::{Strip, from_given_start, meridians_near_path};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::sort;
 use gusset_mesh::Mesh;
 
-/// Measures that are tried one after the other.
+/// The measures to try, in order.
 const MEASURES: [Meridians; 3] = [Meridians::Continuation, Meridians::MinArea, Meridians::MinDiagonal];
 
-/// Strips tried for each measure.
+/// Number of strips to try for each measure.
 const ROUNDS: usize = 12;
 
-/// The penalty of a step for a cut, in mean steps; twice that where it cuts an old face.
+/// The penalty of a step for an intersection, in mean steps; doubled for an intersection with an
+/// old face.
 const PENALTY: f64 = 4.0;
 
-/// Looks for faces of a strip without rows that cut others, and for another strip if there are any.
-/// The pairs of faces that are left; see [`Stitch::intersections`](super::Stitch::intersections).
+/// Looks for intersecting faces of a strip without rows. If there are any, searches for another
+/// strip. Returns the remaining pairs of faces; see
+/// [`Stitch::intersections`](super::Stitch::intersections).
 pub(super) fn avoid_cuts(
     whole: &Mesh,
     strip: &mut Strip,
@@ -42,13 +45,13 @@ pub(super) fn avoid_cuts(
     if !best.pairs.is_empty() {
         start_far_from_cuts(strip, &best)?;
         let mut best_meridians = alloc::copied(&strip.meridians)?;
-        // The faces are numbered from the start, which has moved.
+        // The start has moved, and the faces are numbered from the start.
         strip.set_meridians(alloc::copied(&best_meridians)?, bridges, options)?;
         best = test(strip, &job.part(0.1, 0.15))?;
         for (k, measure) in MEASURES.into_iter().enumerate() {
             let part = job.part(0.15 + 0.25 * k as f64, 0.4 + 0.25 * k as f64);
             let how = Options { meridians: measure, ..*options };
-            let mut search = Search { strip, bridges, options: &how, test: &test };
+            let mut search = AvoidanceSearch { strip, bridges, options: &how, test: &test };
             search.run(&mut best, &mut best_meridians, &part)?;
             if best.pairs.is_empty() {
                 break;
@@ -59,8 +62,8 @@ pub(super) fn avoid_cuts(
     Neighbourhood::new(whole, strip, unit, Vec::new())?.faces(&old, &best)
 }
 
-/// Turns the rims so that the first meridian, which stays, is far from cuts: in the middle of the
-/// longest run of triangles that cut nothing.
+/// Rotates closed rims so that the first meridian, which stays fixed, is far from intersections: in
+/// the middle of the longest run of triangles that do not intersect.
 fn start_far_from_cuts(strip: &mut Strip, found: &IntersectingTriangles) -> Result<()> {
     if !strip.a.closed {
         return Ok(());
@@ -81,7 +84,7 @@ fn start_far_from_cuts(strip: &mut Strip, found: &IntersectingTriangles) -> Resu
     strip.meridians.pop();
     strip.meridians.rotate_left(first);
     strip.meridians.iter_mut().for_each(|pair| *pair = [(pair[0] + n - i) % n, (pair[1] + m - j) % m]);
-    // Places that were counted round once lie beyond those that follow them.
+    // Indices on the second round must exceed the indices before them.
     for k in 1..count {
         let before = strip.meridians[k - 1];
         for (place, (before, round)) in strip.meridians[k].iter_mut().zip(before.into_iter().zip([n, m])) {
@@ -95,15 +98,15 @@ fn start_far_from_cuts(strip: &mut Strip, found: &IntersectingTriangles) -> Resu
 }
 
 /// The search with one measure.
-struct Search<'a, T> {
+struct AvoidanceSearch<'a, T> {
     strip: &'a mut Strip,
     bridges: &'a Bridges,
     options: &'a Options,
     test: &'a T,
 }
 
-impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> Search<'_, T> {
-    /// Tries strips until one cuts nothing or none is left to try; the best of all is kept.
+impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> AvoidanceSearch<'_, T> {
+    /// Tries strips until one is free of intersections, or no other strip is left. Keeps the best.
     fn run(&mut self, best: &mut IntersectingTriangles, kept: &mut Vec<Pair>, job: &Job<'_>) -> Result<()> {
         let Some(first) =
             from_given_start(&self.strip.a, &self.strip.b, self.bridges, self.options, &job.part(0.0, 0.1))?
@@ -122,14 +125,14 @@ impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> Search<'_, T> {
             }
             let found = (self.test)(self.strip, &part.part(0.0, 0.6))?;
             self.penalise(&path, &found, unit, &mut penalties)?;
-            let done = found.pairs.is_empty();
+            let is_free = found.pairs.is_empty();
             if found.pairs.len() < best.pairs.len() {
                 (*best, *kept) = (found, alloc::copied(&path)?);
             }
-            if done {
+            if is_free {
                 return Ok(());
             }
-            let again = near(
+            let again = meridians_near_path(
                 &self.strip.a,
                 &self.strip.b,
                 self.bridges,
@@ -146,7 +149,7 @@ impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> Search<'_, T> {
         Ok(())
     }
 
-    /// Adds penalties for the steps whose triangles are in `found`.
+    /// Adds penalties to the steps whose triangles intersect.
     fn penalise(
         &self,
         path: &[Pair],

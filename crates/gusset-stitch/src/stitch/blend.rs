@@ -1,5 +1,5 @@
-//! A blend in the place of a strip: triangles as fine as those round it, on a surface that leaves
-//! both pieces along their tangents; see [`blend`](crate::blend).
+//! A blend that replaces a strip: triangles as fine as those around it, on a surface tangent to
+//! both pieces; see [`blend`](crate::blend).
 
 use super::grid::FaceList;
 use super::neighbourhood::Neighbourhood;
@@ -13,12 +13,12 @@ use gusset_base::job::Job;
 use gusset_base::sort::sort_distinct;
 use gusset_mesh::{MAX_ELEMENTS, Mesh};
 
-/// How wide a blend is before it hangs on the strip, in mean radii of the larger rim.
+/// The width, in mean radii of the larger rim, from which a blend follows the strip.
 const REACH: f64 = 3.0;
-/// A gap for which more vertices, or sides longer by more than this, would be needed is too wide.
+/// The limits on blends. A gap that needs more vertices, or longer edges, is too wide for a blend.
 const LIMITS: Limits = Limits { new: 50_000, at_rim: 16, growth: 2.0 };
 
-/// What is tried, one after the other, until nothing cuts.
+/// The fairing attempts, in order, until nothing intersects.
 pub(super) const WAYS: [Way; 4] = [
     Way { rounds: 2, unfolds: false },
     Way { rounds: 2, unfolds: true },
@@ -26,18 +26,18 @@ pub(super) const WAYS: [Way; 4] = [
     Way::UNFAIRED,
 ];
 
-/// What takes the place of a strip's faces and new vertices.
+/// The faces and vertices that replace the strip's.
 pub(super) struct Blend {
     pub(super) faces: FaceList,
     /// The new vertices, in the rims' unit.
     pub(super) points: Vec<DVec3>,
-    /// Where they would be without fairing.
+    /// The positions without fairing.
     pub(super) unfaired: Vec<DVec3>,
     pub(super) parents: Vec<Parents>,
 }
 
-/// The plan of a strip of triangles without rows; `None` if it would need too many vertices. A pass
-/// over all old faces.
+/// Plans the blend for a strip of triangles without rows. Returns `None` if the blend would need
+/// too many vertices. One pass over all old faces.
 pub(super) fn plan(
     whole: &Mesh,
     strip: &Strip,
@@ -50,7 +50,7 @@ pub(super) fn plan(
     blend::Plan::new(ring, triangles, LIMITS, taken, job)
 }
 
-/// The blend in the place of the strip.
+/// Creates the blend that replaces the strip.
 pub(super) fn blend(
     plan: &blend::Plan<impl Fn(u32, u32) -> bool>,
     strip: &Strip,
@@ -70,14 +70,15 @@ pub(super) fn blend(
     })
 }
 
-/// Of each new vertex, where it would be on the strip without fairing.
+/// Returns the parents of each new vertex: the corners of the strip's triangle nearest to its
+/// position without fairing.
 fn parents(strip: &Strip, unfaired: &[DVec3], job: &Job<'_>) -> Result<Vec<Parents>> {
     let rims = alloc::gather(strip.a.points.iter().chain(&strip.b.points).copied())?;
     let found = nearest_places(&rims, strip.faces.corners.as_chunks::<3>().0, unfaired, "refining", job)?;
     alloc::collect(found.into_iter().map(|(vertices, weights)| Parents { vertices, weights }))
 }
 
-/// The old faces round a strip, and their edges between two vertices of the rims, the smaller one
+/// Returns the old faces around a strip, and their edges between two rim vertices, the smaller
 /// first, ascending.
 fn old_ring(whole: &Mesh, strip: &Strip, unit: f64, job: &Job<'_>) -> Result<(OldRing, Vec<(u32, u32)>)> {
     let around = Neighbourhood::new(whole, strip, unit, Vec::new())?;
@@ -96,7 +97,7 @@ fn old_ring(whole: &Mesh, strip: &Strip, unit: f64, job: &Job<'_>) -> Result<(Ol
     let triangles = alloc::collect(old.iter().map(|triangle| triangle.map(number)))?;
     alloc::append(&mut names, &others)?;
     let origin = strip.a.points[0];
-    let points = alloc::collect(names.iter().map(|&v| around.at(v) - origin))?;
+    let points = alloc::collect(names.iter().map(|&v| around.position(v) - origin))?;
 
     let touching = whole.faces().filter(|face| face.iter().any(|&v| around.rim.contains(v)));
     let sides = touching.flat_map(|face| face.iter().zip(face.iter().cycle().skip(1)));

@@ -1,7 +1,7 @@
-//! One mesh of the pieces and the strip.
+//! Combination of the pieces and the strip into one mesh.
 //!
-//! Vertices: those of A, then those of B, then the new ones. Faces: those of A, then those of B,
-//! then the strip. Positions keep their bits.
+//! The vertices of A come first, then the vertices of B, then the new vertices. The faces of A come
+//! first, then the faces of B, then the strip. Positions keep their bits.
 
 use super::stitch_request::IndexMap;
 use super::strip::Strip;
@@ -12,7 +12,7 @@ use gusset_base::sort::sort;
 use gusset_mesh::{Mesh, MeshView, check_size, concat};
 use std::ops::Range;
 
-/// Appends a piece; the faces that `turn` names are turned over, each from its own first corner.
+/// Appends a piece. Turns over the faces that `turn` selects; each keeps its first corner.
 pub(super) fn append_piece(
     whole: &mut Mesh,
     piece: &MeshView<'_>,
@@ -26,9 +26,9 @@ pub(super) fn append_piece(
     })
 }
 
-/// Where a strip went.
+/// The place of a strip in the combined mesh.
 pub(crate) struct AttachedStrip {
-    /// Of each of the strip's own vertices, the one of the whole: both rims, then the new ones.
+    /// The combined mesh's vertex for each strip vertex: both rims, then the new vertices.
     pub(crate) names: Vec<u32>,
     /// The new vertices.
     pub(crate) vertices: Range<u32>,
@@ -36,8 +36,7 @@ pub(crate) struct AttachedStrip {
     pub(crate) faces: Range<u32>,
 }
 
-/// Appends a strip whose rims' vertices are numbered as in the whole; its points are multiplied by
-/// `unit`.
+/// Appends a strip whose rim vertices are numbered as in `whole`. Multiplies its points by `unit`.
 ///
 /// # Errors
 /// [`TooLarge`](gusset_base::Error::TooLarge), [`OutOfMemory`](gusset_base::Error::OutOfMemory).
@@ -61,14 +60,14 @@ pub(crate) fn append_strip(whole: &mut Mesh, strip: &Strip, unit: f64) -> Result
     Ok(AttachedStrip { names, vertices: first_vertex..vertices as u32, faces: first_face..whole.face_count() as u32 })
 }
 
-/// The strip as a mesh of its own; its vertex v is `names[v]` of the whole.
+/// Returns the strip as a separate mesh. Its vertex v is `names[v]` of `whole`.
 pub(super) fn strip_alone(whole: &Mesh, strip: Strip, names: &[u32]) -> Result<Mesh> {
     let faces = strip.faces;
     Ok(Mesh::new(whole.positions.select(names)?, faces.offsets, faces.corners))
 }
 
-/// The faces of a mesh from `first` on as a mesh of their own, with the vertices that they use in
-/// ascending order.
+/// Returns the faces from `first` as a separate mesh, with the vertices that they use in ascending
+/// order.
 pub(crate) fn part_alone(whole: &Mesh, first: usize, job: &Job<'_>) -> Result<Mesh> {
     const STAGE: &str = "putting the pieces together";
     let start = whole.face_offsets[first];
@@ -76,7 +75,7 @@ pub(crate) fn part_alone(whole: &Mesh, first: usize, job: &Job<'_>) -> Result<Me
     let mut names = alloc::copied(corners)?;
     sort(&mut names, Ord::cmp, &job.part(0.0, 0.5), STAGE)?;
     names.dedup();
-    // Corner by corner looked up: the host is heard between parts of them.
+    // Look up the corners in chunks, so that the host can cancel between them.
     let mut face_corners = alloc::with_capacity(corners.len())?;
     for part in corners.chunks(1 << 16) {
         job.step(0.5 + 0.5 * face_corners.len() as f64 / corners.len() as f64, STAGE)?;

@@ -1,4 +1,4 @@
-//! Extent of a stitch: whole loops, or their facing arcs.
+//! The extent of a stitch: whole loops, or their facing arcs.
 
 use super::facing::{self, Arc, Planes, facing_in_unit, round_off, squareness};
 use super::stitch_rim::Rim;
@@ -6,30 +6,30 @@ use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_mesh::Scalar;
 
-/// How much of the loops is joined.
+/// Which part of the loops is joined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Extent {
-    /// All of them, by a closed band.
+    /// The whole loops, by a closed band.
     #[default]
     WholeLoops,
-    /// The runs of vertices that face the other loop, as the paper has it (see
-    /// [`facing`](super::facing)).
+    /// The runs of vertices that face the other loop, as in the paper; see
+    /// [`facing`](super::facing).
     OpenArcs,
-    /// Whole loops if the loops face each other squarely, or if the planes cannot decide; else open
-    /// arcs.
+    /// Whole loops if the loops face each other squarely, or if the planes are undecided; open arcs
+    /// otherwise.
     Auto,
-    /// The arcs given: on each loop the first place, and the number of vertices.
+    /// The given arcs: on each loop the first place, and the number of vertices.
     Arcs([Arc; 2]),
 }
 
 /// Loops are joined whole if the mean |cosine| of the angles between their normals and the line of
-/// their centres exceeds this: angles below 60 degrees.
+/// centres exceeds this: angles below 60 degrees.
 const MIN_WHOLE_COSINE: f64 = 0.5;
 
-/// The arcs that `extent` says, or `None` for whole loops. The rims are in a unit in which
-/// coordinates are at most 2; so is the tolerance in `options`, `None` being the round-off of such
+/// Returns the arcs that `extent` selects, or `None` for whole loops. The coordinates of the rims
+/// are at most 2. The tolerance in `options` has the same unit; `None` means the round-off of such
 /// coordinates.
-pub(super) fn arcs(
+pub(super) fn select_arcs(
     a: &Rim,
     b: &Rim,
     extent: Extent,
@@ -38,7 +38,7 @@ pub(super) fn arcs(
     job: &Job<'_>,
 ) -> Result<Option<[Arc; 2]>> {
     let tolerance = options.tolerance.unwrap_or(2.0 * round_off(scalar));
-    let planes = Planes::of(&a.points, &b.points, options.centres);
+    let planes = Planes::new(&a.points, &b.points, options.centres);
     let found = || {
         let found = facing_in_unit(&a.points, &b.points, planes, tolerance, options.run, job)?;
         Ok(Some(found.taken))

@@ -1,17 +1,17 @@
-//! Which vertices of two loops face each other: the paper's algorithm 2, corrected.
+//! Facing arcs of two loops: the paper's algorithm 2, corrected.
 //!
 //! Each loop has a centre C, the mean of its vertices (5). The vectors between the centres, a_1 =
 //! C_2 - C_1 and a_2 = -a_1 (6), are the normals of two planes through the centres (7). A vertex
-//! faces the other loop if it lies on that loop's side of its own plane: (V - C) . a > 0.
+//! faces the other loop if it lies on the other loop's side of its own plane: (V - C) . a > 0.
 //!
-//! Where the paper's text does not suffice:
+//! The paper's text is incomplete in two places:
 //!
-//! * **Undecided planes.** Two coaxial rims lie in their planes, the commonest case of all, and the
-//!   sign is round-off. So a vertex faces the other loop if its distance from the plane is more
-//!   than a tolerance, and where no vertex of a loop is farther from its plane than that, or the
-//!   centres coincide, the planes cannot decide, which is said.
-//! * **Runs.** The vertices that face the other loop need not be neighbours. They fall into runs;
-//!   the one with the closest pair of vertices is taken, or the longest.
+//! * **Undecided planes.** Two coaxial rims, the most common case, lie in their own planes, so that
+//!   round-off decides the sign. Here a vertex faces the other loop only if its distance from the
+//!   plane exceeds a tolerance. The planes are undecided if no vertex of a loop exceeds it, or if
+//!   the centres coincide; this is an error.
+//! * **Runs.** The vertices that face the other loop may form several runs. The run with the
+//!   closest pair of vertices is selected, or the longest run.
 
 use glam::DVec3;
 use gusset_base::alloc;
@@ -24,13 +24,13 @@ use gusset_base::sort;
 use gusset_mesh::Scalar;
 use std::ops::Range;
 
-/// Looks at points between two progress reports, if a search looks at all of them.
+/// Number of visited points between two progress reports, if each search visits all points.
 const REPORT_INTERVAL: usize = 1 << 23;
 
 const STAGE: &str = "looking for facing arcs";
 
-/// Two planes, each through a loop's centre and perpendicular to the line of the centres: equations
-/// 5 to 7.
+/// Two planes, each through the centre of a loop and perpendicular to the line of centres:
+/// equations 5 to 7.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Planes {
     /// C_1 and C_2.
@@ -40,32 +40,32 @@ pub struct Planes {
 }
 
 impl Planes {
-    /// The planes of two loops.
-    pub fn of(a: &[DVec3], b: &[DVec3], centres: Centres) -> Self {
+    /// Creates the planes of two loops.
+    pub fn new(a: &[DVec3], b: &[DVec3], centres: Centres) -> Self {
         let centre = match centres {
             Centres::Vertices => centre,
-            Centres::Length => centre_of_length,
+            Centres::Length => length_centre,
         };
         let centres = [centre(a), centre(b)];
         Planes { centres, normals: [centres[1] - centres[0], centres[0] - centres[1]] }
     }
 
-    /// The distance of `p` from the plane of loop `side`, positive on the side of the other loop; 0
-    /// if the centres coincide.
+    /// Returns the signed distance of `p` from the plane of loop `side`, positive on the side of
+    /// the other loop; 0 if the centres coincide.
     pub fn distance(&self, side: Side, p: DVec3) -> f64 {
         let k = side as usize;
         (p - self.centres[k]).dot(self.normals[k].normalize_or_zero())
     }
 }
 
-/// Equation 5: the mean of the vertices.
+/// Returns the mean of the vertices: equation 5.
 pub fn centre(points: &[DVec3]) -> DVec3 {
     points.iter().sum::<DVec3>() / points.len() as f64
 }
 
-/// The mean of a closed polyline's points, which vertices that lie close together do not draw to
-/// them; the mean of the vertices if it has no length.
-pub fn centre_of_length(points: &[DVec3]) -> DVec3 {
+/// Returns the mean of a closed polyline's points, weighted by length, so that dense vertices do
+/// not attract it. Returns the mean of the vertices if the length is 0.
+pub fn length_centre(points: &[DVec3]) -> DVec3 {
     let n = points.len();
     let edges = (0..n).map(|i| (points[i], points[(i + 1) % n]));
     let (sum, length) = edges.fold((DVec3::ZERO, 0.0), |(sum, length), (p, q)| {
@@ -75,13 +75,13 @@ pub fn centre_of_length(points: &[DVec3]) -> DVec3 {
     if length > 0.0 { sum / length } else { centre(points) }
 }
 
-/// What the centre of a loop is.
+/// The definition of a loop's centre.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Centres {
-    /// The mean of its vertices, as the paper has it: equation 5.
+    /// The mean of the vertices, as in the paper: equation 5.
     #[default]
     Vertices,
-    /// The mean of its points, whatever the spacing of its vertices.
+    /// The mean of the curve's points, independent of the spacing of the vertices.
     Length,
 }
 
@@ -90,25 +90,25 @@ choices! { for Centres:
     Length => "Mean of the curve", "Independent of the spacing of the points.";
 }
 
-/// How facing vertices are found.
+/// Options of [`facing`].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {
-    /// Which run is taken.
+    /// The run to select.
     pub run: Run,
-    /// A vertex must be farther from its plane than this, in the unit of the points; `None` for
-    /// what round-off of double precision can do.
+    /// A vertex must be farther from its plane than this, in the unit of the points; `None` for the
+    /// round-off of double precision.
     pub tolerance: Option<f64>,
-    /// The loops' centres.
+    /// The definition of the loops' centres.
     pub centres: Centres,
 }
 
-/// Which of several runs is taken.
+/// Which of several runs is selected.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Run {
-    /// On each loop the one with the closest pair of facing vertices.
+    /// On each loop, the run with the closest pair of facing vertices.
     #[default]
     Closest,
-    /// On each loop the one of the most vertices, of equal ones the first.
+    /// On each loop, the run with the most vertices, the first of equals.
     Longest,
 }
 
@@ -117,38 +117,38 @@ choices! { for Run:
     Longest => "Longest", "The one of the most points.";
 }
 
-/// An arc of a loop: its first place and its number of vertices. It may pass the loop's end.
+/// An arc of a loop: its first place, and its number of vertices. It may wrap around the loop's
+/// end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Arc {
-    /// The place of its first vertex.
+    /// The place of the first vertex.
     pub first: usize,
-    /// Its number of vertices, at most the loop's.
+    /// The number of vertices, at most the loop's.
     pub count: usize,
 }
 
-/// What algorithm 2 found.
+/// The result of algorithm 2.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Facing {
     /// The planes.
     pub planes: Planes,
-    /// The distance of each vertex of each loop from its plane, positive on the side of the other
-    /// loop.
+    /// The signed distance of each vertex of each loop from its plane, positive on the side of the
+    /// other loop.
     pub distances: [Vec<f64>; 2],
-    /// All runs of facing vertices, for each loop, in order of their first places (a run that
-    /// passes the loop's end last).
+    /// All runs of facing vertices of each loop, in order of their first places. A run that wraps
+    /// around the loop's end comes last.
     pub runs: [Vec<Arc>; 2],
-    /// The run taken on each loop.
+    /// The selected run on each loop.
     pub taken: [Arc; 2],
 }
 
-/// Finds the runs of vertices of loop `a` and of loop `b` that face the other loop; O((N + M) log
+/// Finds the runs of vertices of loop `a` and of loop `b` that face the other loop. O((N + M) log
 /// M).
 ///
-/// # Errors
-/// [`Error::LoopTooShort`] for a loop without vertices, [`Error::NotFinite`],
-/// [`Error::OptionOutOfRange`] for a tolerance that is negative or not finite;
-/// [`Error::PlanesUndecided`] with the loop that has no vertex beyond the tolerance, or if the
-/// centres are no farther apart than that; [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// # Errors [`Error::LoopTooShort`] for a loop without vertices. [`Error::OptionOutOfRange`] for a
+/// tolerance that is negative or not finite. [`Error::PlanesUndecided`] for a loop without a vertex
+/// beyond the tolerance, or if the distance of the centres is within the tolerance.
+/// [`Error::NotFinite`], [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn facing(a: &[DVec3], b: &[DVec3], options: &Options, job: &Job<'_>) -> Result<Facing> {
     job.step(0.0, STAGE)?;
     for (side, points) in [(Side::A, a), (Side::B, b)] {
@@ -158,12 +158,12 @@ pub fn facing(a: &[DVec3], b: &[DVec3], options: &Options, job: &Job<'_>) -> Res
         check_points(side, points)?;
     }
     check_tolerance(options.tolerance)?;
-    // In a unit in which products neither overflow nor vanish.
+    // Scale to a unit in which products do not overflow or vanish.
     let unit = common_unit(a.iter().chain(b));
     let small = |points: &[DVec3]| alloc::collect(points.iter().map(|&p| p / unit));
     let (small_a, small_b) = (small(a)?, small(b)?);
     let limit = options.tolerance.map_or(2.0 * round_off(Scalar::F64), |t| t / unit);
-    let planes = Planes::of(&small_a, &small_b, options.centres);
+    let planes = Planes::new(&small_a, &small_b, options.centres);
     let mut found = facing_in_unit(&small_a, &small_b, planes, limit, options.run, &job.part(0.1, 1.0))?;
     found.planes.centres = found.planes.centres.map(|c| c * unit);
     found.planes.normals = found.planes.normals.map(|n| n * unit);
@@ -178,8 +178,8 @@ pub(super) fn check_points(side: Side, points: &[DVec3]) -> Result<()> {
     numbered.try_for_each(|(i, &p)| Error::check_finite(Element::LoopPoint(side), i, p))
 }
 
-/// Of the largest coordinate: less than this is round-off, 64 units in the last place of the host's
-/// own numbers.
+/// Returns the round-off relative to the largest coordinate: 64 units in the last place of the
+/// scalar type.
 pub(super) fn round_off(scalar: Scalar) -> f64 {
     64.0 * match scalar {
         Scalar::F32 => f64::from(f32::EPSILON),
@@ -194,7 +194,7 @@ pub(super) fn check_tolerance(tolerance: Option<f64>) -> Result<()> {
     Error::require((0.0..f64::INFINITY).contains(&value), "tolerance", value)
 }
 
-/// Algorithm 2 on points whose coordinates are at most 2.
+/// Runs algorithm 2 on points whose coordinates are at most 2.
 pub(super) fn facing_in_unit(
     a: &[DVec3],
     b: &[DVec3],
@@ -222,10 +222,10 @@ pub(super) fn facing_in_unit(
     Ok(Facing { planes, distances, runs, taken })
 }
 
-/// The runs of values that have a property, round a cycle.
+/// Returns the cyclic runs of values that have a property.
 pub fn cyclic_runs<T>(values: &[T], has: impl Fn(&T) -> bool) -> Result<Vec<Arc>> {
     let n = values.len();
-    // Start behind a gap, so that no run is cut in two.
+    // Start after a gap, so that no run is cut in two.
     let Some(gap) = values.iter().position(|value| !has(value)) else {
         return Ok(vec![Arc { first: 0, count: n }]);
     };
@@ -244,7 +244,7 @@ fn longest(runs: &[Arc]) -> Arc {
     runs.iter().copied().rev().max_by_key(|run| run.count).unwrap_or(Arc { first: 0, count: 0 })
 }
 
-/// The runs that contain the closest pair of facing vertices.
+/// Returns the runs that contain the closest pair of facing vertices.
 fn closest(a: &[DVec3], b: &[DVec3], runs: &[Vec<Arc>; 2], job: &Job<'_>) -> Result<[Arc; 2]> {
     let total = runs[1].iter().map(|run| run.count).sum();
     let (mut points, mut owner) = (alloc::with_capacity(total)?, alloc::with_capacity(total)?);
@@ -271,21 +271,21 @@ fn closest(a: &[DVec3], b: &[DVec3], runs: &[Vec<Arc>; 2], job: &Job<'_>) -> Res
 }
 
 impl Arc {
-    /// The places of its vertices on a loop of `n`.
+    /// Returns the places of the arc's vertices on a loop of `n` vertices.
     pub fn places(self, n: usize) -> impl ExactSizeIterator<Item = usize> + Clone {
         let range: Range<usize> = 0..self.count;
         range.map(move |k| (self.first + k) % n)
     }
 }
 
-/// How well each loop faces the other one: |cosine| of the angle between its normal (the vector
-/// area of its polygon) and the line of the centres. 1 for coaxial rims, which are best joined
-/// whole; 0 for loops side by side in a plane.
+/// Returns how squarely a loop faces the other one: the |cosine| of the angle between its normal
+/// (the vector area of its polygon) and the line of centres. Coaxial rims give 1, and should be
+/// joined whole; loops side by side in a plane give 0.
 pub fn squareness(points: &[DVec3], planes: &Planes) -> f64 {
     normal(points).dot(planes.normals[0].normalize_or_zero()).abs()
 }
 
-/// The direction of the vector area of a closed polyline, seen from its centre; 0 if it has none.
+/// Returns the direction of a closed polyline's vector area; 0 for a degenerate polyline.
 pub(super) fn normal(points: &[DVec3]) -> DVec3 {
     let (n, centre) = (points.len(), centre(points));
     let area: DVec3 = (0..n).map(|i| (points[i] - centre).cross(points[(i + 1) % n] - centre)).sum();

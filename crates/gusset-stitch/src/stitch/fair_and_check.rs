@@ -1,15 +1,15 @@
-//! Fairing of the strip's rows, and its intersections with itself and with the pieces.
+//! Fairing of the strip's rows, and detection of intersections.
 //!
-//! **Fairing.** The new vertices move to where the sum of squared Laplacians, over them and the
-//! rims, is least (a thin plate; see [`fair`](crate::fair)); the rims and the old vertices round
-//! them stay; where those are nearer or farther than the rows are from each other, only their
-//! direction counts. The ends of an open strip stay on their meridians.
+//! **Fairing** moves the new vertices to the minimum of the sum of squared Laplacians over the new
+//! vertices and the rims (a thin plate; see [`fair`](crate::fair)). The rims and the old vertices
+//! around them stay fixed. Only the directions of these old vertices count, because their distances
+//! may differ from the spacing of the rows. The ends of an open strip stay on their meridians.
 //!
-//! **Back-off.** Where the faired strip cuts itself or a piece, its vertices go back towards their
-//! straight meridians, halfway each time, those near by a little less, until nothing cuts or
-//! nothing is left to take back.
+//! **Back-off.** If the faired strip intersects itself or a piece, its vertices return towards
+//! their straight meridians: halfway in each round, and nearby vertices less. The rounds end when
+//! nothing intersects, or when no fairing is left.
 //!
-//! **Blends** are tested and taken back in the same way, towards where they were before fairing.
+//! **Blends** are tested in the same way, and return towards their positions without fairing.
 
 use super::avoid::avoid_cuts;
 use super::blend::{self, Blend, WAYS};
@@ -27,13 +27,13 @@ use gusset_base::job::Job;
 use gusset_base::sort::sort_distinct;
 use gusset_mesh::Mesh;
 
-/// The fairing is taken back at most so often.
+/// Largest number of rounds that reduce the fairing.
 const MAX_BACK_OFFS: u32 = 12;
 
-/// Below this the fairing of a vertex is given up.
+/// A vertex whose share of the fairing falls below this is no longer faired.
 const MIN_FAIRING_SHARE: f64 = 0.1;
 
-/// How many edges away from a cut the fairing is taken back a little.
+/// The fairing is reduced within this number of edges from an intersection.
 const BACK_OFF_RINGS: u32 = 4;
 
 pub(crate) struct CheckedStrip {
@@ -43,9 +43,9 @@ pub(crate) struct CheckedStrip {
     pub(crate) finish: Finish,
 }
 
-/// Fairs the strip's rows, or puts a blend in its place, and looks for faces that cut each other, as
-/// the options say. `whole` has the pieces without the strip, and the rims' vertices are numbered as
-/// there.
+/// Fairs the strip's rows, or replaces the strip by a blend, and looks for intersecting faces, as
+/// the options request. `whole` has the pieces without the strip, and the rims are numbered as in
+/// `whole`.
 pub(crate) fn fair_and_check(
     whole: &Mesh,
     strip: &mut Strip,
@@ -61,7 +61,7 @@ pub(crate) fn fair_and_check(
     check_strip(whole, strip, unit, bridges, options, job)
 }
 
-/// The same of a strip that stays one.
+/// Fairs and checks a strip that is not replaced by a blend.
 fn check_strip(
     whole: &Mesh,
     strip: &mut Strip,
@@ -81,7 +81,7 @@ fn check_strip(
     let faired = options.fairing == Fairing::ThinPlate && !strip.grid.new.is_empty();
     let rims = strip.rim_count();
     let mut neighbourhood = Neighbourhood::new(whole, strip, unit, alloc::copied(&strip.grid.points[rims..])?)?;
-    // What is tested is what will be returned, in the result's scalar type.
+    // Round to the scalar type of the result, so that the tested positions are the returned ones.
     neighbourhood.round();
     let straight = alloc::copied(&neighbourhood.points)?;
     if faired {
@@ -95,8 +95,8 @@ fn check_strip(
     Ok(checked)
 }
 
-/// Puts a blend in the place of a strip: the one that cuts least of those with more or less fairing,
-/// of equals the first; unless all cut more than the strip does.
+/// Replaces a strip by the blend with the fewest intersections, the first of equals. Keeps the
+/// strip if all blends have more intersections than the strip.
 fn check_blend(
     whole: &Mesh,
     strip: &mut Strip,
@@ -116,7 +116,7 @@ fn check_blend(
     for (k, way) in WAYS.into_iter().enumerate() {
         let part = job.share(k, WAYS.len());
         let mut found = blend::blend(&plan, strip, way, &part.part(0.0, 0.5))?;
-        // The strip's own faces come back once this one is judged.
+        // The strip's own faces are restored after this blend has been judged.
         let faces = std::mem::replace(&mut strip.faces, found.faces);
         let mut neighbourhood = Neighbourhood::new(whole, strip, unit, found.unfaired)?;
         neighbourhood.round();
@@ -150,8 +150,8 @@ fn check_blend(
 }
 
 impl Neighbourhood<'_> {
-    /// Looks for faces that cut each other, if wanted. Where new vertices are `faired`, they are
-    /// taken back towards `straight` until none do that did not there.
+    /// Looks for intersecting faces if requested. If the new vertices are `faired`, moves them back
+    /// towards `straight` until the faired strip adds no intersections.
     fn check(
         &mut self,
         straight: Vec<DVec3>,
@@ -177,7 +177,7 @@ impl Neighbourhood<'_> {
             found = self.intersections(&old, &look(checked.back_offs))?;
         }
         if faired && !found.pairs.is_empty() {
-            // The straight rows, if fewer cut there.
+            // Use the straight rows if they have fewer intersections.
             let faired = std::mem::replace(&mut self.points, straight);
             let intersections = self.intersections(&old, &look(MAX_BACK_OFFS + 1))?;
             if intersections.pairs.len() < found.pairs.len() {
@@ -190,12 +190,12 @@ impl Neighbourhood<'_> {
         Ok(checked)
     }
 
-    /// Moves the new vertices to where a thin plate would have them.
+    /// Moves the new vertices to the minimum of the thin plate's energy.
     fn fair(&mut self, strip: &Strip, job: &Job<'_>) -> Result<()> {
         let mut triangles = self.strip_triangles()?.corners;
         let round = self.old_triangles(|face| face.iter().any(|&v| self.rim.contains(v)), job)?.corners;
         alloc::append(&mut triangles, &round)?;
-        // The patch's own numbers.
+        // Number the vertices of the patch consecutively.
         let mut vertices = alloc::collect(triangles.as_flattened().iter().copied())?;
         sort_distinct(&mut vertices);
         let number = |v: u32| vertices.binary_search(&v).unwrap_or(0) as u32;
@@ -203,13 +203,13 @@ impl Neighbourhood<'_> {
         let mut valence = alloc::filled(0usize, vertices.len())?;
         triangles.as_flattened().iter().for_each(|&k| valence[k as usize] += 1);
 
-        let mut points = alloc::collect(vertices.iter().map(|&v| self.at(v)))?;
+        let mut points = alloc::collect(vertices.iter().map(|&v| self.position(v)))?;
         let is_end = |v: u32| self.ends.binary_search(&v).is_ok();
         let is_new = |v: u32| v >= self.base;
         let on_rim = |v: u32| v < self.base && self.rim.contains(v);
         let free = alloc::collect(vertices.iter().map(|&v| is_new(v) && !is_end(v)))?;
-        // The apex of a large fan says nothing about slopes, and would tie all vertices round it to
-        // each other.
+        // A large fan says little about slopes, and its apex would tie all neighbours to each
+        // other.
         let is_centre =
             |(k, &v): (usize, &u32)| (is_new(v) || (on_rim(v) && valence[k] <= MAX_FAN_TRIANGLES)) && !is_end(v);
         let centres = alloc::collect(vertices.iter().enumerate().map(is_centre))?;
@@ -236,9 +236,9 @@ impl Neighbourhood<'_> {
         Ok(())
     }
 
-    /// Moves the old vertices beyond the rims towards them or away, in the patch only, until they
-    /// are as far as the rows are from each other: the plate takes all edges to be of one length,
-    /// and what lies beyond a rim is to tell it the slope there.
+    /// Moves the old vertices beyond the rims, in the patch only, to the spacing of the rows. The
+    /// plate assumes edges of equal length, and needs only the slope at the rim from these
+    /// vertices.
     fn space_evenly(
         &self,
         strip: &Strip,
@@ -246,7 +246,7 @@ impl Neighbourhood<'_> {
         triangles: &[[u32; 3]],
         points: &mut [DVec3],
     ) -> Result<()> {
-        let lengths = strip.meridians.iter().map(|&[i, j]| strip.a.at(i).distance(strip.b.at(j)));
+        let lengths = strip.meridians.iter().map(|&[i, j]| strip.a.point(i).distance(strip.b.point(j)));
         let parts = strip.grid.matrix.len() / strip.meridians.len() - 1;
         let spacing = lengths.sum::<f64>() / strip.meridians.len() as f64 / parts as f64;
         let on_rim = |k: u32| vertices[k as usize] < self.base && self.rim.contains(vertices[k as usize]);
@@ -269,8 +269,8 @@ impl Neighbourhood<'_> {
         Ok(())
     }
 
-    /// Lessens the share of the plate at the new vertices of faces that cut, and a little at those
-    /// near by; false if there are none where anything is left to take back.
+    /// Reduces the plate's share at the new vertices of intersecting faces, and a little nearby.
+    /// Returns false if no share is left at these vertices.
     fn back_off(&self, found: &IntersectingTriangles, share: &mut [f64]) -> Result<bool> {
         let mut distance = alloc::filled(BACK_OFF_RINGS, share.len())?;
         let index = |v: u32| v.checked_sub(self.base).map(|k| k as usize);

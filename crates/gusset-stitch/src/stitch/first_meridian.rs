@@ -1,9 +1,9 @@
 //! The first meridian of closed rims.
 //!
-//! The paper leaves the pairing of the rims' starts open. Two candidates are tried: the closest
-//! pair of vertices, and the closest pair after the rotation that fits the rims to each other
-//! best, which differs where one rim comes near the other in an unrelated place. Meridians are
-//! found from both, and the better ones kept.
+//! The paper does not say how to pair the starts of the rims. Two candidates are tried. The first
+//! is the closest pair of vertices. The second is the closest pair after the best rotation of one
+//! rim onto the other. They differ if one rim comes near the other in an unrelated place. The
+//! meridians from both candidates are searched, and the better ones are kept.
 
 use super::polyline::{lengths, samples};
 use super::stitch_rim::{Bridges, Rim};
@@ -15,37 +15,38 @@ use rustfft::algorithm::Radix4;
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftDirection};
 
-/// Which first meridians are tried.
+/// The first meridians to try.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Start {
-    /// The closest pair, and the one by rotation; the better strip is kept.
+    /// The closest pair, and the pair by rotation. The better strip is kept.
     #[default]
     Auto,
-    /// The closest pair.
+    /// The closest pair only.
     Closest,
 }
 
-/// Vertices between two progress reports: where all are about equally far, each takes long.
+/// Number of vertices between two progress reports. A search is slow if all vertices are about
+/// equally far.
 const REPORT_INTERVAL: usize = 1 << 7;
 
-/// The same where places along the other rim are looked up.
+/// Number of vertices between two progress reports when arc lengths are looked up.
 const LENGTHS_PER_REPORT: usize = 1 << 18;
 
 const STAGE: &str = "looking for the closest pair";
 
-/// Samples of each rim for the rotation.
+/// Number of samples of each rim for the rotation.
 const SAMPLES: usize = 1 << 10;
 
-/// The places (i, j) of the closest vertices of the two rims that are not joined by an edge
-/// already; of equally close pairs the smallest i, then j. `None` if every pair is joined. O((N +
-/// M) log M).
+/// Returns the places (i, j) of the closest vertices of the two rims that are not yet joined by an
+/// edge. Among equally close pairs the smallest i wins, then the smallest j. Returns `None` if
+/// every pair is joined. O((N + M) log M).
 pub(super) fn closest_pair(a: &Rim, b: &Rim, bridges: &Bridges, job: &Job<'_>) -> Result<Option<(usize, usize)>> {
     let tree = KdTree::new(&b.points, &job.part(0.0, 0.1), STAGE)?;
     let job = job.part(0.1, 1.0);
     let mut best = (f64::INFINITY, None);
     for (i, (&p, &u)) in a.points.iter().zip(&a.vertices).enumerate() {
         job.step_every(REPORT_INTERVAL, i, a.points.len(), STAGE)?;
-        let found = tree.nearest(p, best.0, |j| !bridges.has(u, b.vertices[j as usize]));
+        let found = tree.nearest(p, best.0, |j| !bridges.contains(u, b.vertices[j as usize]));
         if let Some((distance, j)) = found
             && (distance < best.0 || best.1.is_none())
         {
@@ -55,14 +56,14 @@ pub(super) fn closest_pair(a: &Rim, b: &Rim, bridges: &Bridges, job: &Job<'_>) -
     Ok(best.1)
 }
 
-/// The places (i, j) of the closest vertices, not joined by an edge already, among those that meet
-/// when rim B is turned along rim A so that the sum of squared distances between points at equal
-/// arc lengths is least. The rims run side by side. O(N log M), and a Fourier transform of
+/// Returns the places (i, j) of the closest vertices after the best rotation, if no edge joins them
+/// yet. The rotation of rim B along rim A minimises the sum of squared distances between points at
+/// equal arc lengths. The rims run side by side. O(N log M), plus a Fourier transform of
 /// [`SAMPLES`] samples.
-pub(super) fn by_rotation(a: &Rim, b: &Rim, bridges: &Bridges, job: &Job<'_>) -> Result<Option<(usize, usize)>> {
+pub(super) fn pair_by_rotation(a: &Rim, b: &Rim, bridges: &Bridges, job: &Job<'_>) -> Result<Option<(usize, usize)>> {
     let shift = best_shift(&samples(&a.points, true, SAMPLES)?, &samples(&b.points, true, SAMPLES)?);
     job.step(0.0, STAGE)?;
-    let (along_a, along_b) = (parts(&a.points)?, parts(&b.points)?);
+    let (along_a, along_b) = (arc_fractions(&a.points)?, arc_fractions(&b.points)?);
     let m = b.points.len();
     let mut best = (f64::INFINITY, None);
     for (i, &t) in along_a.iter().enumerate() {
@@ -72,7 +73,7 @@ pub(super) fn by_rotation(a: &Rim, b: &Rim, bridges: &Bridges, job: &Job<'_>) ->
         let after = along_b.partition_point(|&s| s < t);
         for j in [(after + m - 1) % m, after % m] {
             let distance = a.points[i].distance_squared(b.points[j]);
-            if distance < best.0 && !bridges.has(a.vertices[i], b.vertices[j]) {
+            if distance < best.0 && !bridges.contains(a.vertices[i], b.vertices[j]) {
                 best = (distance, Some((i, j)));
             }
         }
@@ -80,11 +81,12 @@ pub(super) fn by_rotation(a: &Rim, b: &Rim, bridges: &Bridges, job: &Job<'_>) ->
     Ok(best.1)
 }
 
-/// How far along `q`, as a part of its length, the point lies that belongs to the start of `p`.
+/// Returns the fraction of `q`'s length at which the point that matches the start of `p` lies.
 ///
-/// The sum of |p_k - q_(k + s)|^2 is least where the correlation sum of p_k . q_(k + s) is
-/// greatest, and that is for all s at once the inverse transform of conj(P) Q. A power of two of
-/// samples; without vector instructions of its own: the same bits anywhere.
+/// Minimising the sum of |p_k - q_(k + s)|^2 is maximising the correlation sum of p_k . q_(k + s).
+/// For all s at once this is the inverse transform of conj(P) Q. The number of samples is a power
+/// of two. The transform uses no platform-specific vector instructions, so that all platforms give
+/// the same bits.
 fn best_shift(p: &[DVec3], q: &[DVec3]) -> f64 {
     let n = p.len();
     let [forward, inverse] = [FftDirection::Forward, FftDirection::Inverse].map(|way| Radix4::new(n, way));
@@ -109,8 +111,8 @@ fn best_shift(p: &[DVec3], q: &[DVec3]) -> f64 {
     best as f64 / n as f64
 }
 
-/// The part of a closed polyline's length that lies before each of its points.
-fn parts(points: &[DVec3]) -> Result<Vec<f64>> {
+/// Returns, for each point of a closed polyline, the fraction of the length before it.
+fn arc_fractions(points: &[DVec3]) -> Result<Vec<f64>> {
     let mut along = lengths(points, true)?;
     if let Some(length) = along.pop().filter(|&length| length > 0.0) {
         along.iter_mut().for_each(|t| *t /= length);
@@ -132,7 +134,7 @@ mod tests {
             (0..SAMPLES).map(point).collect()
         };
         for turn in [0.0, 0.125, 0.5, 0.984375] {
-            // The start of the first lies at -turn on the second.
+            // The start of the first ring lies at -turn on the second.
             assert_eq!(best_shift(&ring(0.0), &ring(turn)), (1.0 - turn) % 1.0);
         }
     }

@@ -1,13 +1,13 @@
-//! The paper's matrix P: rows of vertices between the rims, one column for each meridian, and the
-//! faces between them.
+//! The paper's matrix P: rows of vertices between the rims with one column for each meridian, and
+//! the faces between them.
 //!
-//! Row 0 lists the vertices of rim A, meridian by meridian, the last row those of rim B; both
-//! repeat a vertex where several meridians meet in it. The rows between divide each meridian
-//! evenly; their vertices are new. Four neighbours in P make a quad, or a triangle where P repeats
-//! a vertex. Of a closed band the last column is the first again.
+//! Row 0 lists the vertices of rim A, meridian by meridian, and the last row lists the vertices of
+//! rim B. Both repeat a vertex if several meridians meet in it. The interior rows divide each
+//! meridian evenly; their vertices are new. Four neighbours in P form a quad, or a triangle where P
+//! repeats a vertex. The last column of a closed band repeats the first.
 //!
-//! Rim A runs with its surface on the left, rim B the opposite way (so that they run side by side):
-//! the old faces run A_i -> A_i+1 and B_j+1 -> B_j, so the new ones run P(r, c+1) -> P(r, c) ->
+//! Rim A has its surface on the left, and rim B on the right, so that the rims run side by side.
+//! The old faces run A_i -> A_i+1 and B_j+1 -> B_j, so the new faces run P(r, c+1) -> P(r, c) ->
 //! P(r+1, c) -> P(r+1, c+1).
 
 use super::meridian::Pair;
@@ -17,36 +17,36 @@ use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_mesh::MAX_ELEMENTS;
 
-/// The matrix, in the strip's own numbers: rim A's vertices, then rim B's, then the new ones row by
-/// row.
+/// The matrix P in the strip's own vertex numbers: rim A's vertices, then rim B's, then the new
+/// ones row by row.
 pub(crate) struct Grid {
     rows: usize,
     columns: usize,
-    /// Columns that differ: one less than all if the band is closed.
+    /// The number of distinct columns: one less than `columns` if the band is closed.
     distinct: usize,
     /// (rows + 2) x columns.
     pub(super) matrix: Vec<u32>,
     /// The positions of all vertices, in the rims' unit.
     pub(super) points: Vec<DVec3>,
-    /// Of each new vertex: its column, and how far it is on the way from A to B.
+    /// For each new vertex, its column, and its fraction of the way from A to B.
     pub(super) new: Vec<(usize, f64)>,
 }
 
-/// Faces one after another: the corners, and where each face's start.
+/// A list of faces: the corners, and the offset of each face.
 pub(crate) struct FaceList {
     pub(super) offsets: Vec<u32>,
     pub(super) corners: Vec<u32>,
 }
 
 impl Grid {
-    /// The matrix over `pairs` with `rows` interior rows.
+    /// Creates the matrix over `pairs` with `rows` interior rows.
     ///
     /// # Errors
     /// [`Error::TooLarge`], [`Error::OutOfMemory`].
     pub(super) fn new(a: &Rim, b: &Rim, pairs: &[Pair], rows: u32) -> Result<Grid> {
         let (n, m) = (a.vertices.len(), b.vertices.len());
         let columns = pairs.len();
-        // A single meridian makes no face: nothing is put on it.
+        // A single meridian spans no face, and gets no rows.
         let rows = if columns < 2 { 0 } else { rows as usize };
         let distinct = if a.closed { columns - 1 } else { columns };
         let total = (rows as u64 + 2) * columns as u64 + (n + m) as u64;
@@ -65,7 +65,7 @@ impl Grid {
             let t = row as f64 / (rows + 1) as f64;
             for (column, &[i, j]) in pairs[..distinct].iter().enumerate() {
                 grid.matrix.push(grid.points.len() as u32);
-                grid.points.push(a.at(i).lerp(b.at(j), t));
+                grid.points.push(a.point(i).lerp(b.point(j), t));
                 grid.new.push((column, t));
             }
             if a.closed {
@@ -76,8 +76,8 @@ impl Grid {
         Ok(grid)
     }
 
-    /// Where new vertex `k` would lie if all edges had the same length: on a cylinder, or in a
-    /// plane if the strip is open.
+    /// Returns the position of new vertex `k` if all edges had equal length: on a cylinder, or in a
+    /// plane for an open strip.
     pub(super) fn even_position(&self, k: usize) -> DVec3 {
         let (column, t) = self.new[k];
         let (along, up) = (column as f64, t * (self.rows + 1) as f64);
@@ -88,53 +88,52 @@ impl Grid {
         DVec3::new(libm::cos(along * round) / round, libm::sin(along * round) / round, up)
     }
 
-    fn at(&self, row: usize, column: usize) -> u32 {
+    fn vertex(&self, row: usize, column: usize) -> u32 {
         self.matrix[row * self.columns + column]
     }
 
-    /// The rim vertices that each new vertex lies between, by their own numbers: one of rim A and
-    /// one of rim B.
+    /// Returns the ends of each new vertex's meridian as strip vertices: one on rim A, and one on
+    /// rim B.
     pub(super) fn meridian_ends(&self) -> impl ExactSizeIterator<Item = [u32; 2]> + '_ {
-        self.new.iter().map(|&(column, _)| [self.at(0, column), self.at(self.rows + 1, column)])
+        self.new.iter().map(|&(column, _)| [self.vertex(0, column), self.vertex(self.rows + 1, column)])
     }
 
-    /// The faces, meridian by meridian from A to B. `quads`: four different neighbours stay one
-    /// face; else they are split by the shorter diagonal.
+    /// Returns the faces, meridian by meridian from A to B. If `quads`, four distinct neighbours
+    /// form one face; otherwise they are split by the shorter diagonal.
     ///
     /// # Errors
-    /// [`Error::NoStrip`] if a meridian without interior vertices, or both diagonals of a quad
-    /// there, repeat an edge that the mesh already has.
+    /// [`Error::NoStrip`] if a meridian without interior vertices, or both diagonals of a quad in a
+    /// strip without rows, repeat an existing edge of the mesh.
     pub(super) fn faces(&self, a: &Rim, b: &Rim, bridges: &Bridges, quads: bool) -> Result<FaceList> {
         let n = a.vertices.len() as u32;
         let bridges = (self.rows == 0 && !bridges.is_empty()).then_some(bridges);
-        // P's numbers are below n on A, and there are no others than A's and B's if there are no
-        // interior rows.
+        // Vertices of A have numbers below n. Without interior rows the other vertices are on B.
         let taken = |p: u32, q: u32| {
             let (i, j) = (p.min(q), p.max(q));
-            bridges.is_some_and(|bridges| bridges.has(a.vertices[i as usize], b.vertices[(j - n) as usize]))
+            bridges.is_some_and(|bridges| bridges.contains(a.vertices[i as usize], b.vertices[(j - n) as usize]))
         };
         let blocked = |p: u32| Err(Error::NoStrip { vertex: a.vertices[p.min(n - 1) as usize] });
-        let flipped = if self.rows == 0 && a.closed && !quads { self.flipped(n, &taken) } else { None };
+        let flipped = if self.rows == 0 && a.closed && !quads { self.quad_to_flip(n, &taken) } else { None };
 
         let cells = (self.columns - 1) * (self.rows + 1);
         let mut list =
             FaceList { offsets: alloc::with_capacity(2 * cells + 1)?, corners: alloc::with_capacity(6 * cells)? };
         list.offsets.push(0);
         for column in 0..self.distinct {
-            if taken(self.at(0, column), self.at(self.rows + 1, column)) {
-                return blocked(self.at(0, column));
+            if taken(self.vertex(0, column), self.vertex(self.rows + 1, column)) {
+                return blocked(self.vertex(0, column));
             }
         }
         for column in 0..self.columns - 1 {
             for row in 0..=self.rows {
-                let [p, q] = [self.at(row, column + 1), self.at(row, column)];
-                let [r, s] = [self.at(row + 1, column), self.at(row + 1, column + 1)];
+                let [p, q] = [self.vertex(row, column + 1), self.vertex(row, column)];
+                let [r, s] = [self.vertex(row + 1, column), self.vertex(row + 1, column + 1)];
                 match (p == q, r == s) {
                     (true, true) => {}
                     (true, false) => list.push(&[q, r, s]),
                     (false, true) => list.push(&[p, q, r]),
                     (false, false) if quads => list.push(&[p, q, r, s]),
-                    (false, false) => match self.shorter([p, q, r, s], &taken) {
+                    (false, false) => match self.is_split_by_pr([p, q, r, s], &taken) {
                         None => return blocked(q),
                         Some(by_pr) if by_pr != (flipped == Some(column)) => {
                             list.push(&[p, q, r]);
@@ -151,8 +150,9 @@ impl Grid {
         Ok(list)
     }
 
-    /// True if diagonal pr splits quad p q r s, false for qs; `None` if both repeat an edge.
-    fn shorter(&self, [p, q, r, s]: [u32; 4], taken: &impl Fn(u32, u32) -> bool) -> Option<bool> {
+    /// Returns true to split the quad p q r s by the diagonal pr, false for qs, and `None` if both
+    /// diagonals repeat an edge.
+    fn is_split_by_pr(&self, [p, q, r, s]: [u32; 4], taken: &impl Fn(u32, u32) -> bool) -> Option<bool> {
         let squared = |u: u32, v: u32| self.points[u as usize].distance_squared(self.points[v as usize]);
         match (taken(p, r), taken(q, s)) {
             (true, true) => None,
@@ -160,29 +160,31 @@ impl Grid {
         }
     }
 
-    /// The column of the quad whose other diagonal has to be taken so that no edge of a closed
-    /// strip without interior rows is there twice; `n` is the number of vertices on A. With its
-    /// diagonals the strip is a path of single steps: no edge is there twice if one of its steps on
-    /// A is not at B_0 and one on B is not at A_0. A single flip is enough, as rims have three
-    /// vertices.
-    fn flipped(&self, n: u32, taken: &impl Fn(u32, u32) -> bool) -> Option<usize> {
-        let cell =
-            |column: usize| [self.at(0, column + 1), self.at(0, column), self.at(1, column), self.at(1, column + 1)];
-        // Steps on A away from B_0, and on B away from A_0.
+    /// Returns the column of the quad to split by its other diagonal, so that a closed strip
+    /// without interior rows does not repeat an edge. `n` is the number of vertices on A.
+    ///
+    /// With its diagonals, the strip is a path of single steps. It does not repeat an edge if at
+    /// least one step on A is away from B_0, and at least one step on B is away from A_0. One flip
+    /// suffices, because rims have at least three vertices.
+    fn quad_to_flip(&self, n: u32, taken: &impl Fn(u32, u32) -> bool) -> Option<usize> {
+        let cell = |column: usize| {
+            [self.vertex(0, column + 1), self.vertex(0, column), self.vertex(1, column), self.vertex(1, column + 1)]
+        };
+        // Counts the steps on A away from B_0, and on B away from A_0.
         let steps = |[p, q, r, s]: [u32; 4], by_pr: bool| match (p == q, r == s) {
             (true, _) => [0, u32::from(p != 0)],
             (false, true) => [u32::from(r != n), 0],
             (false, false) if by_pr => [u32::from(r != n), u32::from(p != 0)],
             (false, false) => [u32::from(s != n), u32::from(q != 0)],
         };
-        let chosen = |column: usize| steps(cell(column), self.shorter(cell(column), taken) == Some(true));
+        let chosen = |column: usize| steps(cell(column), self.is_split_by_pr(cell(column), taken) == Some(true));
         let sum = (0..self.columns - 1).map(chosen).fold([0, 0], |x, y| [x[0] + y[0], x[1] + y[1]]);
         if sum[0] > 0 && sum[1] > 0 {
             return None;
         }
         (0..self.columns - 1).find(|&column| {
             let [p, q, r, s] = cell(column);
-            let by_pr = self.shorter([p, q, r, s], taken) == Some(true);
+            let by_pr = self.is_split_by_pr([p, q, r, s], taken) == Some(true);
             let other = steps([p, q, r, s], !by_pr);
             let is_free = if by_pr { !taken(q, s) } else { !taken(p, r) };
             let is_enough = |k: usize| sum[k] + other[k] > chosen(column)[k];
@@ -192,7 +194,7 @@ impl Grid {
 }
 
 impl FaceList {
-    /// Room for every face was made at the start.
+    /// Appends a face. The capacity was reserved on creation.
     pub(crate) fn push(&mut self, face: &[u32]) {
         self.corners.extend_from_slice(face);
         self.offsets.push(self.corners.len() as u32);

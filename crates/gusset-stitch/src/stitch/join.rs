@@ -1,7 +1,7 @@
 //! The stages of stitching in order, from two loops to one mesh.
 
 use super::combine::{append_piece, append_strip, strip_alone};
-use super::extent::{Extent, arcs};
+use super::extent::{Extent, select_arcs};
 use super::facing::{self, check_tolerance};
 use super::fair_and_check::fair_and_check;
 use super::loop_pairing::{nearest_pair, usable_rims};
@@ -18,23 +18,22 @@ use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 use gusset_mesh::{MeshView, concat, vertex_components};
 
-/// Stitches two boundary loops, or the arcs of them that face each other, together by a strip of
-/// new faces.
+/// Stitches two boundary loops, or their facing arcs, together by a strip of new faces.
 ///
-/// Loops that are left open are chosen as the two nearest ones: the least mean distance from the
-/// vertices of each to the nearest vertex of the other. Old positions are never changed, and every
-/// old face is kept.
+/// If the loops are not given, the nearest pair is chosen. The distance of two loops is the mean
+/// distance from the vertices of each to the nearest vertex of the other, the larger of both means.
+/// Old positions never change, and every old face is kept.
 ///
-/// O(H log d) for the meshes' H half-edges and at most d edges at a vertex; plus for the meridians
-/// O(N M) up to 2^21 pairs of vertices, beyond that and for the simple choices O((N + M) log M);
-/// plus the size of the strip, and a box test for each pair of loops where the choice is left open.
-/// Fairing n new vertices in k rows takes O(n k^2), intersection tests O((n + F) log n) for F old
-/// faces in the box round the strip, and a test for each pair of triangles whose boxes overlap,
-/// which in the worst case (a wide fan) is all pairs. Extra memory is linear in the meshes and the
-/// strip, but for what [`Search::Exact`](super::Search) says.
+/// An arc with one vertex gets a fan of triangles, which touches its piece only at that vertex. Two
+/// arcs with one vertex each get one meridian and no face.
 ///
-/// An arc of a single vertex gets a fan of triangles, which touches its piece at that vertex only;
-/// two arcs of one vertex each get one meridian and no face.
+/// O(H log d) for the meshes' H half-edges and at most d edges at a vertex. Exact meridians take
+/// O(N M) up to 2^21 pairs of vertices; larger lattices and the simple choices take O((N + M) log
+/// M). The choice of loops adds a box test for each pair. Fairing n new vertices in k rows takes
+/// O(n k^2). Intersection tests take O((n + F) log n) for F old faces in the strip's box. Each pair
+/// of triangles with overlapping boxes adds a test: all pairs in the worst case, a wide fan. Extra
+/// memory is linear in the meshes and the strip, except for
+/// [`MeridianSearch::Exact`](super::MeridianSearch).
 ///
 /// # Errors
 /// [`Error::NoLoop`], [`Error::NoPairOfLoops`], [`Error::LoopTooShort`],
@@ -43,19 +42,19 @@ use gusset_mesh::{MeshView, concat, vertex_components};
 /// [`Error::NoStrip`], [`Error::OptionOutOfRange`], [`Error::MixedScalars`], [`Error::TooLarge`],
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result<Stitch> {
-    // A twist of arcs is refused whether or not there are any.
+    // Arcs do not admit a twist, even if the planes select whole loops.
     if matches!(options.extent, Extent::OpenArcs | Extent::Arcs(_)) {
         Error::require(options.twist == 0, "twist", options.twist as f64)?;
     }
     let Rims { mut a, mut b, unit } = choose_rims(request, &job.part(0.0, 0.35))?;
     cut_arcs(request, options, [&mut a, &mut b], unit, &job.part(0.35, 0.4))?;
     let bridges = match request.b {
-        Some(_) => Bridges::none(),
+        Some(_) => Bridges::empty(),
         None => {
             if let Some(vertex) = shared_vertex(&a, &b)? {
                 return Err(Error::LoopsShareVertex { vertex });
             }
-            Bridges::between(request.a, &a, &b)?
+            Bridges::find(request.a, &a, &b)?
         }
     };
 
@@ -67,10 +66,9 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
         });
     }
     options.note_unread(job);
-    let options = &options.of_strip();
+    let options = &options.strip_options();
 
-    // Both pieces in one mesh. What is turned over is the component that rim B is on, and nothing
-    // else.
+    // Combine both pieces in one mesh. Only the component of rim B is turned over.
     let mut pieces = vec![request.a];
     pieces.extend(request.b);
     let mut whole = concat::empty(pieces.iter().copied(), [0; 3])?;
@@ -89,14 +87,14 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     b.vertices.iter_mut().for_each(|v| *v = map_b.vertices[*v as usize]);
     turned_faces.iter_mut().for_each(|f| *f = map_b.faces[*f as usize]);
 
-    // On one oriented surface the rims run opposite ways; run B backwards, and they run side by
-    // side.
+    // On one oriented surface the rims run in opposite directions. Reverse B, so that they run side
+    // by side.
     if turn {
         b.turn();
     }
     b.reverse();
     let mean_side = || whole.mean_side() / unit;
-    let mut strip = Strip::between(a, b, &bridges, options, mean_side, &job.part(0.4, 0.6))?;
+    let mut strip = Strip::build(a, b, &bridges, options, mean_side, &job.part(0.4, 0.6))?;
     let checked = fair_and_check(&whole, &mut strip, unit, &bridges, options, &job.part(0.6, 0.75))?;
     job.step(0.75, "putting the pieces together")?;
     let attached = append_strip(&mut whole, &strip, unit)?;
@@ -109,7 +107,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     let (closed, meridians) = (strip.a.closed, std::mem::take(&mut strip.meridians));
     let mut strip = strip_alone(&whole, strip, &attached.names)?;
     let measured = if options.outward == Outward::Closed { 0.9 } else { 1.0 };
-    let quality = Quality::of(&whole, &strip, &job.part(0.75, measured))?;
+    let quality = Quality::measure(&whole, &strip, &job.part(0.75, measured))?;
     let mut turned_outwards = Vec::new();
     if options.outward == Outward::Closed {
         turned_outwards = turn_outwards(&mut whole, &job.part(measured, 1.0))?.turned;
@@ -138,7 +136,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     })
 }
 
-/// The faces of the component that a vertex is on, ascending.
+/// Returns the faces of the component that contains a vertex, ascending.
 fn faces_of_component(mesh: &MeshView<'_>, v: u32) -> Result<Vec<u32>> {
     let mut components = vertex_components(mesh)?;
     let own = components.find(v);
@@ -146,14 +144,14 @@ fn faces_of_component(mesh: &MeshView<'_>, v: u32) -> Result<Vec<u32>> {
     alloc::gather((0..mesh.faces().len() as u32).filter(|f| is_own(f)))
 }
 
-/// Cuts the rims down to the arcs that the options say.
+/// Cuts the rims to the arcs that the options select.
 fn cut_arcs(request: &Request<'_>, options: &Options, [a, b]: [&mut Rim; 2], unit: f64, job: &Job<'_>) -> Result<()> {
     check_tolerance(options.tolerance)?;
     let how =
         facing::Options { run: options.run, tolerance: options.tolerance.map(|t| t / unit), centres: options.centres };
-    // Round-off is that of the coarser numbers.
+    // The round-off is determined by the coarser scalar type.
     let scalar = request.b.unwrap_or(request.a).positions().scalar().min(request.a.positions().scalar());
-    if let Some([arc_a, arc_b]) = arcs(a, b, options.extent, &how, scalar, job)? {
+    if let Some([arc_a, arc_b]) = select_arcs(a, b, options.extent, &how, scalar, job)? {
         a.cut(arc_a)?;
         b.cut(arc_b)?;
     }
@@ -174,12 +172,12 @@ fn choose_rims(request: &Request<'_>, job: &Job<'_>) -> Result<Rims> {
     let (mesh_b, boundary_b) = (request.b.unwrap_or(request.a), second.as_ref().unwrap_or(&boundary_a));
 
     let rims = |mesh: &MeshView<'_>, boundary: &Boundary, vertices: Option<&[u32]>, side| match vertices {
-        Some(vertices) => Ok(vec![Rim::given(mesh, &FreeEdges::of(boundary)?, vertices, side)?]),
+        Some(vertices) => Ok(vec![Rim::from_vertices(mesh, &FreeEdges::from_boundary(boundary)?, vertices, side)?]),
         None => usable_rims(mesh, boundary),
     };
     let mut a = rims(request.a, &boundary_a, request.loop_a, Side::A)?;
     let mut b = rims(mesh_b, boundary_b, request.loop_b, Side::B)?;
-    // From here on in a unit that keeps products of coordinates in range.
+    // Scale to a unit that keeps products of coordinates in range.
     let unit = common_unit(a.iter().chain(&b).flat_map(|rim| &rim.points));
     a.iter_mut().chain(&mut b).flat_map(|rim| &mut rim.points).for_each(|p| *p /= unit);
     if request.loop_a.is_some() && request.loop_b.is_some() {
@@ -189,7 +187,7 @@ fn choose_rims(request: &Request<'_>, job: &Job<'_>) -> Result<Rims> {
     Ok(Rims { a, b, unit })
 }
 
-/// True if the second piece has to be turned over.
+/// Returns true if the second piece must be turned over.
 fn must_turn(request: &Request<'_>, a: &Rim, b: &Rim, orientation: Orientation) -> Result<bool> {
     if orientation == Orientation::Keep {
         return Ok(false);

@@ -1,9 +1,9 @@
-//! Choice of the two loops to stitch when the caller gives none: the pair that is nearest along
-//! its whole length.
+//! Choice of the two loops to stitch if the caller gives none: the pair that is nearest along its
+//! whole length.
 //!
-//! The distance of two loops is the mean, over the vertices of each, of the distance to the
-//! nearest vertex of the other, and the larger of the two means. One close pair of vertices
-//! therefore does not make two loops near.
+//! The distance of two loops is the mean distance from the vertices of each to the nearest vertex
+//! of the other, the larger of both means. So one close pair of vertices does not make two loops
+//! near.
 
 use super::stitch_rim::{Rim, is_usable, shared_vertex};
 use crate::boundary::Boundary;
@@ -14,20 +14,21 @@ use gusset_base::geom::{Aabb, kd_tree::KdTree};
 use gusset_base::job::Job;
 use gusset_mesh::MeshView;
 
-/// So many vertices of a rim tell how far it is from another, evenly chosen from all.
+/// Number of evenly spaced vertices of a rim that determine its distance from another rim.
 const SAMPLE_VERTICES: usize = 1 << 10;
 
 const STAGE: &str = "pairing the loops";
 
-/// Every loop of the boundary that can carry a strip.
+/// Returns every boundary loop that can carry a strip.
 pub(super) fn usable_rims(mesh: &MeshView<'_>, boundary: &Boundary) -> Result<Vec<Rim>> {
-    alloc::try_collect(boundary.iter().filter(is_usable).map(|found| Rim::found(mesh, &found)))
+    alloc::try_collect(boundary.iter().filter(is_usable).map(|found| Rim::from_loop(mesh, &found)))
 }
 
-/// Takes the nearest two rims out of the candidates, one from each side; of equally near pairs the
-/// first. On one mesh a rim is not paired with one that shares a vertex with it, itself above all.
+/// Removes the nearest two rims from the candidates, one from each side, the first of equally near
+/// pairs. On one mesh, two rims that share a vertex are not paired; in particular, a rim is not
+/// paired with itself.
 ///
-/// Box tests for all pairs, and nearest-point searches for those that the boxes do not rule out.
+/// Box tests for all pairs, and nearest-point searches for the pairs that the boxes do not exclude.
 pub(super) fn nearest_pair(mut a: Vec<Rim>, mut b: Vec<Rim>, one_mesh: bool, job: &Job<'_>) -> Result<(Rim, Rim)> {
     let boxes = alloc::collect(b.iter().map(|rim| Aabb::from_points(&rim.points)))?;
     let mut best = (f64::INFINITY, None);
@@ -37,11 +38,11 @@ pub(super) fn nearest_pair(mut a: Vec<Rim>, mut b: Vec<Rim>, one_mesh: bool, job
         let (around, tree_p) = (Aabb::from_points(&p.points), tree(&p.points, &job.part(0.0, 0.1))?);
         let job = job.part(0.1, 1.0);
         for (j, q) in b.iter().enumerate() {
-            // No points of the two rims are nearer than their boxes.
+            // The distance of the boxes is a lower bound.
             if around.distance(&boxes[j]) >= best.0 {
                 continue;
             }
-            // The cheaper half first.
+            // Test the direction that reuses a tree first.
             let there = mean_distance(&q.points, &tree_p);
             if there >= best.0 {
                 continue;
@@ -63,15 +64,15 @@ fn tree<'a>(points: &'a [DVec3], job: &Job<'_>) -> Result<KdTree<'a>> {
     KdTree::new(points, job, STAGE)
 }
 
-/// The mean distance from the vertices of each rim to the nearest of the other, the larger of the
-/// two.
+/// Returns the larger of the two mean distances from the vertices of one rim to the nearest vertex
+/// of the other.
 pub fn mean_gap(a: &Rim, b: &Rim, job: &Job<'_>) -> Result<f64> {
     let there = mean_distance(&b.points, &tree(&a.points, &job.part(0.0, 0.5))?);
     Ok(there.max(mean_distance(&a.points, &tree(&b.points, &job.part(0.5, 1.0))?)))
 }
 
-/// The mean distance from the vertices of one rim to the nearest of the other; of a long rim only
-/// every so many-th vertex is asked.
+/// Returns the mean distance from the vertices of one rim to the nearest vertex of the other.
+/// Samples long rims evenly.
 fn mean_distance(from: &[DVec3], to: &KdTree<'_>) -> f64 {
     let asked = from.iter().step_by(from.len().div_ceil(SAMPLE_VERTICES));
     let count = asked.len() as f64;

@@ -1,33 +1,33 @@
 //! Stitching: a strip of new faces between two boundary loops.
 //!
 //! Source: S. Nesterenko, *The algorithm for polygonal networks of cross-linking*. The paper joins
-//! two open meshes by a third, intermediate one spanned by **meridians**, the lines from a vertex
-//! of one rim to a vertex of the other. The rims are the arcs of two loops that face each other, as
-//! in the paper, or whole loops, so that the strip is a closed band; loops repeat their start,
-//! hence N + 1 and M + 1 points for loops of N and M vertices.
+//! two open meshes by a third, intermediate one. It is spanned by **meridians**, lines from a
+//! vertex of one rim to a vertex of the other. The rims are the facing arcs of two loops, as in the
+//! paper, or whole loops, so that the strip is a closed band. Loops repeat their start: loops of N
+//! and M vertices have N + 1 and M + 1 points.
 //!
-//! The work in order, one file each:
+//! The stages in order, one file each:
 //!
-//! | file | what it does |
+//! | file | task |
 //! |---|---|
 //! | [`stitch_request`](self) | request, options and result |
 //! | [`stitch_rim`](self) | validated loops, and their free edges |
 //! | [`loop_pairing`](self) | choice of the nearest pair of loops |
 //! | [`facing`] | facing arcs: algorithm 2 |
 //! | [`extent`](self) | choice between whole loops and arcs |
-//! | [`sense`](self) | relative direction of the rims round the gap |
+//! | [`sense`](self) | relative direction of the rims around the gap |
 //! | [`first_meridian`](self) | first meridian: the closest pair, or the best rotation |
 //! | [`meridian`] | meridians, matrix H: the paper's rule, the strip of least area, and others |
 //! | [`grid`](self) | rows between the rims, matrix P, and the faces between them |
 //! | [`strip`](self) | strip between two rims: start, meridians, grid |
 //! | [`fair_and_check`](self) | fairing of the rows, and intersections of the strip with itself and the pieces |
-//! | [`avoid`](self) | another strip where one cuts |
-//! | [`blend`](self) | finer triangles on a smooth surface in the place of the strip's |
-//! | [`neighbourhood`](self) | the faces round a strip |
-//! | [`ruled`](self) | a strip between polylines that belong to no mesh |
+//! | [`avoid`](self) | another strip if one intersects |
+//! | [`blend`](self) | finer triangles on a smooth surface in place of the strip |
+//! | [`neighbourhood`](self) | the faces around a strip |
+//! | [`ruled`](self) | a strip between polylines without meshes |
 //! | [`combine`](self) | one mesh of both pieces and the strip, with maps from old to new |
 //! | [`quality`](self) | quality measures of the result |
-//! | [`join`](self) | all of these, in order |
+//! | [`join`](self) | all stages in order |
 
 mod avoid;
 mod blend;
@@ -55,7 +55,7 @@ pub(crate) use stitch_rim::{FreeEdges, check_loop};
 pub use extent::Extent;
 pub use first_meridian::Start;
 pub use join::stitch;
-pub use meridian::{Meridians, Search};
+pub use meridian::{MeridianSearch, Meridians};
 pub use quality::Quality;
 pub use ruled::{Ruled, RuledOptions, ruled};
 pub use stitch_request::{

@@ -1,4 +1,4 @@
-//! A strip, and the faces of the pieces round it: what a new strip is faired with and tested against.
+//! A strip and the old faces around it, for fairing and for intersection tests.
 
 use super::strip::Strip;
 use crate::intersect::{Soup, intersecting_pairs};
@@ -12,24 +12,24 @@ use gusset_mesh::{Mesh, Scalar};
 
 const STAGE: &str = "looking for intersections";
 
-/// Triangles, and the faces that they are part of.
+/// Triangles, and the face of each.
 #[derive(Default)]
 pub(super) struct Triangles {
     pub(super) corners: Vec<[u32; 3]>,
     pub(super) faces: Vec<u32>,
 }
 
-/// The strip and what is round it, in the numbers of the result: old vertices and faces, then new
+/// The strip and its surroundings, numbered as in the result: old vertices and faces, then new
 /// ones.
 pub(super) struct Neighbourhood<'a> {
     pub(super) whole: &'a Mesh,
     unit: f64,
     /// The number of old vertices.
     pub(super) base: u32,
-    /// Its faces' corners, face after face.
+    /// The corners of the strip's faces.
     strip: Vec<u32>,
     offsets: &'a [u32],
-    /// The rims' vertices, one bit each.
+    /// The set of the rims' vertices.
     pub(super) rim: BitSet,
     /// The vertices at the ends of an open strip, in ascending order; they stay on their meridians.
     pub(super) ends: Vec<u32>,
@@ -60,7 +60,7 @@ impl<'a> Neighbourhood<'a> {
         Ok(Neighbourhood { whole, unit, base, strip: corners, offsets: &strip.faces.offsets, rim, ends, points })
     }
 
-    /// Rounds the new vertices to what the result can hold.
+    /// Rounds the new vertices to the scalar type of the result.
     pub(super) fn round(&mut self) {
         if self.whole.positions.view().scalar() == Scalar::F32 {
             let unit = self.unit;
@@ -68,17 +68,17 @@ impl<'a> Neighbourhood<'a> {
         }
     }
 
-    pub(super) fn at(&self, v: u32) -> DVec3 {
+    pub(super) fn position(&self, v: u32) -> DVec3 {
         match v.checked_sub(self.base) {
             Some(k) => self.points[k as usize],
             None => self.whole.positions.get(v) / self.unit,
         }
     }
 
-    /// Adds a face's triangles: a quad split by its shorter diagonal, any other polygon as a fan
-    /// from its first corner.
+    /// Adds the triangles of a face: a quad is split by its shorter diagonal, any other polygon as
+    /// a fan from its first corner.
     pub(super) fn split(&self, face: &[u32], number: u32, into: &mut Triangles) -> Result<()> {
-        let squared = |p: usize, q: usize| self.at(face[p]).distance_squared(self.at(face[q]));
+        let squared = |p: usize, q: usize| self.position(face[p]).distance_squared(self.position(face[q]));
         let first = usize::from(face.len() == 4 && squared(0, 2) > squared(1, 3));
         let corner = |k: usize| face[(first + k) % face.len()];
         for k in 1..face.len() - 1 {
@@ -96,7 +96,7 @@ impl<'a> Neighbourhood<'a> {
         Ok(triangles)
     }
 
-    /// The old faces that `wanted` takes, as triangles.
+    /// Returns the old faces that `wanted` selects, as triangles.
     pub(super) fn old_triangles(&self, wanted: impl Fn(&[u32]) -> bool, job: &Job<'_>) -> Result<Triangles> {
         let mut triangles = Triangles::default();
         for (face, number) in self.whole.faces().zip(0..) {
@@ -108,12 +108,13 @@ impl<'a> Neighbourhood<'a> {
         Ok(triangles)
     }
 
-    /// The old triangles that reach into the box round the strip, faired or `straight`.
+    /// Returns the old triangles whose boxes overlap the box of the strip, faired and `straight`.
     pub(super) fn old_triangles_nearby(&self, straight: &[DVec3], job: &Job<'_>) -> Result<Triangles> {
-        let rims = self.strip.iter().filter(|&&v| v < self.base).map(|&v| self.at(v));
+        let rims = self.strip.iter().filter(|&&v| v < self.base).map(|&v| self.position(v));
         let new = self.points.iter().chain(straight).copied();
         let Aabb { low, high } = Aabb::from_points(rims.chain(new));
-        // In the host's numbers: the unit is a power of two, and what is far below it became 0.
+        // Enlarge the box in mesh coordinates: scaling by the unit, a power of two, may round tiny
+        // coordinates to 0.
         let around = Aabb { low: low * self.unit, high: high * self.unit }.inflated(f64::MIN_POSITIVE * self.unit);
         self.old_triangles(
             |face| Aabb::from_points(face.iter().map(|&v| self.whole.positions.get(v))).overlaps(&around),
@@ -121,16 +122,15 @@ impl<'a> Neighbourhood<'a> {
         )
     }
 
-    /// The pairs of triangles that cut each other, and the strip's triangles that they are counted
-    /// by.
+    /// Returns the pairs of intersecting triangles, and the strip's triangles that they index.
     pub(super) fn intersections(&self, old: &Triangles, job: &Job<'_>) -> Result<IntersectingTriangles> {
         let strip = self.strip_triangles()?;
-        let soup = Soup { at: |v| self.at(v), new: &strip.corners, old: &old.corners };
+        let soup = Soup { at: |v| self.position(v), new: &strip.corners, old: &old.corners };
         Ok(IntersectingTriangles { pairs: intersecting_pairs(&soup, job)?, strip })
     }
 
-    /// The faces of cutting triangles, the strip's first, the larger one first if both are the
-    /// strip's; each pair once.
+    /// Converts pairs of triangles to pairs of faces. The strip's face comes first, or the larger
+    /// one if both belong to the strip. Each pair occurs once.
     pub(super) fn faces(&self, old: &Triangles, found: &IntersectingTriangles) -> Result<Vec<[u32; 2]>> {
         let face = |k: u32| match (k as usize).checked_sub(found.strip.faces.len()) {
             Some(k) => old.faces[k],
@@ -147,7 +147,8 @@ impl<'a> Neighbourhood<'a> {
 }
 
 pub(super) struct IntersectingTriangles {
-    /// Numbers below the strip's count of triangles are of the strip, the others of the old ones.
+    /// Numbers below the count of the strip's triangles belong to the strip, the others to the old
+    /// triangles.
     pub(super) pairs: Vec<[u32; 2]>,
     pub(super) strip: Triangles,
 }

@@ -1,11 +1,11 @@
-//! Arc lengths along a polyline, and points at equal ones. Linear.
+//! Arc lengths along a polyline, and points at equal arc lengths, in linear time.
 
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
-/// `count` points at equal arc lengths; of an open polyline both ends are among them. The polyline
-/// has at least one point.
+/// Returns `count` points at equal arc lengths, including both ends of an open polyline. The
+/// polyline must have at least one point.
 pub(super) fn samples(points: &[DVec3], closed: bool, count: usize) -> Result<Vec<DVec3>> {
     let n = points.len();
     let edges = if closed { n } else { n - 1 };
@@ -26,7 +26,8 @@ pub(super) fn samples(points: &[DVec3], closed: bool, count: usize) -> Result<Ve
     Ok(samples)
 }
 
-/// The length of a polyline before each of its points; of a closed one also all round.
+/// Returns the length of a polyline before each of its points; for a closed polyline also the total
+/// length.
 pub fn lengths(points: &[DVec3], closed: bool) -> Result<Vec<f64>> {
     let n = points.len();
     let edges = if closed { n } else { n - 1 };
@@ -37,7 +38,7 @@ pub fn lengths(points: &[DVec3], closed: bool) -> Result<Vec<f64>> {
     Ok(along)
 }
 
-/// The point nearest to `p` on the edges of a polyline that meet in point `v`.
+/// Returns the point nearest to `p` on the two edges of a polyline that meet at point `v`.
 pub fn nearest_beside(points: &[DVec3], closed: bool, v: usize, p: DVec3) -> DVec3 {
     let n = points.len();
     let here = points[v];
@@ -47,7 +48,7 @@ pub fn nearest_beside(points: &[DVec3], closed: bool, v: usize, p: DVec3) -> DVe
         let t = if squared > 0.0 { ((p - here).dot(edge) / squared).clamp(0.0, 1.0) } else { 0.0 };
         here + edge * t
     };
-    // An open one has no edge from one end to the other: nothing is nearer than the end there.
+    // The ends of an open polyline have one edge only: use the end itself for the missing edge.
     let end = |at: usize| !closed && v == at;
     let before = on_edge(if end(0) { here } else { points[(v + n - 1) % n] });
     let after = on_edge(if end(n - 1) { here } else { points[(v + 1) % n] });

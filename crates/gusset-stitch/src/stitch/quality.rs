@@ -1,4 +1,4 @@
-//! Quality of a stitched mesh: angles, aspects, areas, and the defects left.
+//! Quality of a stitched mesh: angles, aspect ratios, areas, and remaining defects.
 
 use crate::boundary::{self, boundary_loops};
 use gusset_base::error::Result;
@@ -10,31 +10,31 @@ use std::f64::consts::FRAC_PI_3;
 /// Faces between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;
 
-/// Measures of the strip, and of the whole result's connectivity.
+/// Measures of the strip, and of the connectivity of the whole result.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Quality {
     /// The smallest angle of the strip's triangles, in radians; 0 if one is degenerate. Quads are
-    /// measured as the two triangles that their shorter diagonals make.
+    /// measured as two triangles, split by the shorter diagonal.
     pub min_angle: f64,
     /// The largest aspect ratio of the strip's triangles: longest side / (2 sqrt(3) inscribed
-    /// radius), 1 for an equilateral triangle, infinite for a degenerate one.
+    /// radius). It is 1 for an equilateral triangle, and infinite for a degenerate one.
     pub max_aspect: f64,
     /// The longest edge of the strip, in the unit of the positions.
     pub max_edge: f64,
-    /// The strip's area, in the square of that unit.
+    /// The strip's area, in the squared unit of the positions.
     pub area: f64,
-    /// Triangles of the strip without area.
+    /// The number of degenerate triangles in the strip.
     pub degenerate_faces: u32,
-    /// Boundary loops of the result; 0 if it is closed.
+    /// The number of boundary loops of the result; 0 if it is closed.
     pub loops_left: u32,
-    /// Edges of the result with three or more faces.
+    /// The number of edges of the result with three or more faces.
     pub non_manifold_edges: u32,
-    /// Edges of the result whose two faces disagree in orientation.
+    /// The number of edges of the result whose two faces have inconsistent orientations.
     pub orientation_conflicts: u32,
 }
 
 impl Quality {
-    pub(crate) fn of(whole: &Mesh, strip: &Mesh, job: &Job<'_>) -> Result<Self> {
+    pub(crate) fn measure(whole: &Mesh, strip: &Mesh, job: &Job<'_>) -> Result<Self> {
         let mut quality = Quality { min_angle: FRAC_PI_3, max_aspect: 1.0, ..Quality::default() };
         quality.measure_strip(strip, &job.part(0.0, 0.1))?;
 
@@ -61,7 +61,7 @@ impl Quality {
             let face = &strip.face_corners[w[0] as usize..w[1] as usize];
             let p = |k: usize| points[face[k % face.len()] as usize] / unit;
             longest = (0..face.len()).map(|k| p(k).distance(p(k + 1))).fold(longest, f64::max);
-            // A quad is measured as the two triangles that its shorter diagonal makes.
+            // Split a quad by its shorter diagonal.
             let other = face.len() == 4 && p(0).distance_squared(p(2)) > p(1).distance_squared(p(3));
             let first = usize::from(other);
             for k in first + 1..first + face.len() - 1 {

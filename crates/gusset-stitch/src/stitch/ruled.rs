@@ -1,9 +1,9 @@
-//! A strip between two polylines that belong to no mesh: meridians, the matrix P, and a mesh of
-//! the points and the rows between them.
+//! A strip between two polylines without meshes: meridians, the matrix P, and a mesh of the points
+//! and the rows between them.
 
 use super::facing::check_points;
 use super::first_meridian::Start;
-use super::meridian::{Meridians, Pair, Search};
+use super::meridian::{MeridianSearch, Meridians, Pair};
 use super::stitch_request::{Cells, Options, Rows};
 use super::stitch_rim::{Bridges, Rim};
 use super::strip::{Strip, from_given_start};
@@ -14,19 +14,19 @@ use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 use gusset_mesh::{Mesh, PositionBuffer, Scalar};
 
-/// How the strip is made.
+/// Options of [`ruled`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct RuledOptions {
     /// The choice of meridians.
     pub meridians: Meridians,
-    /// How hard the best ones are looked for.
-    pub search: Search,
-    /// Closed polylines: which first meridians are tried; `None` for the one that joins their first
-    /// points. Open ones always begin there.
+    /// The effort of the search for the best meridians.
+    pub search: MeridianSearch,
+    /// The first meridians to try for closed polylines; `None` joins their first points. Open
+    /// polylines always start there.
     pub start: Option<Start>,
-    /// The interior rows; the mean edge is that of both polylines.
+    /// The interior rows. The mean edge is the mean over both polylines.
     pub rows: Rows,
-    /// The faces.
+    /// Triangles or quads.
     pub cells: Cells,
 }
 
@@ -37,26 +37,27 @@ pub struct Ruled {
     pub start: [u32; 2],
     /// The number of points of each polyline.
     pub counts: [u32; 2],
-    /// The meridians as places counted from there: from (0, 0) to (N, M) between closed polylines
-    /// of N and M points, place N being place 0 again, else to (N - 1, M - 1).
+    /// The meridians as places counted from the first meridian. Between closed polylines of N and M
+    /// points they run from (0, 0) to (N, M), where place N is place 0 again. Between open ones they
+    /// run to (N - 1, M - 1).
     pub meridians: Vec<Pair>,
-    /// The points of A, those of B, then the new ones row by row. Faces run A_i+1, A_i, B_j:
-    /// against polyline A, and along B.
+    /// A's points, then B's, then the new ones row by row. Faces run A_i+1, A_i, B_j: against
+    /// polyline A, and along B.
     pub mesh: Mesh,
-    /// The paper's matrix P, row by row, a column for each meridian: vertices of the mesh.
+    /// The paper's matrix P of mesh vertices, row by row, with a column for each meridian.
     pub matrix: Vec<u32>,
-    /// The interior rows; P has two more.
+    /// The number of interior rows; P has two more.
     pub rows: u32,
-    /// Of each new vertex the ends of its meridian, of A and of B.
+    /// For each new vertex, the ends of its meridian on A and on B.
     pub parents: Vec<[u32; 2]>,
-    /// Of each new vertex how much its second parent counts, 0 to 1.
+    /// For each new vertex, the weight of its second parent, 0 to 1.
     pub weights: Vec<f64>,
 }
 
-/// A strip between two polylines that run side by side. `closed`: both are, and the last point is
-/// not the first again.
+/// Creates a strip between two polylines that run side by side. If `closed`, both are closed, and
+/// the last point does not repeat the first.
 ///
-/// Time and memory of [`stitch()`](super::stitch())'s meridians, and of the mesh.
+/// Takes the time and memory of the meridians in [`stitch()`](super::stitch()), and of the mesh.
 ///
 /// # Errors
 ///
@@ -72,10 +73,10 @@ pub fn ruled(a: &[DVec3], b: &[DVec3], closed: bool, options: &RuledOptions, job
         check_points(side, points)?;
     }
     let unit = common_unit(a.iter().chain(b));
-    let rim = |points: &[DVec3]| Rim::bare(alloc::collect(points.iter().map(|&p| p / unit))?, closed);
+    let rim = |points: &[DVec3]| Rim::from_points(alloc::collect(points.iter().map(|&p| p / unit))?, closed);
     let (rim_a, rim_b) = (rim(a)?, rim(b)?);
     let mean_side = mean_segment([&rim_a, &rim_b]);
-    let bridges = Bridges::none();
+    let bridges = Bridges::empty();
     let stitch = Options {
         meridians: options.meridians,
         search: options.search,
@@ -85,14 +86,14 @@ pub fn ruled(a: &[DVec3], b: &[DVec3], closed: bool, options: &RuledOptions, job
         ..Options::default()
     };
     let strip = if closed && options.start.is_some() {
-        Strip::between(rim_a, rim_b, &bridges, &stitch, || mean_side, job)?
+        Strip::build(rim_a, rim_b, &bridges, &stitch, || mean_side, job)?
     } else {
         let found = from_given_start(&rim_a, &rim_b, &bridges, &stitch, job)?.ok_or(Error::NoStrip { vertex: 0 })?;
-        Strip::on(rim_a, rim_b, found.pairs, &bridges, &stitch, || mean_side)?
+        Strip::from_meridians(rim_a, rim_b, found.pairs, &bridges, &stitch, || mean_side)?
     };
     job.step(1.0, "making faces")?;
 
-    // The strip counts the points from the first meridian on, the mesh as they were given.
+    // The strip counts the points from the first meridian; the mesh keeps the given order.
     let (n, rims) = (a.len() as u32, strip.rim_count());
     let name = |k: u32| match k {
         k if k < n => strip.a.vertices[k as usize],
@@ -116,12 +117,12 @@ pub fn ruled(a: &[DVec3], b: &[DVec3], closed: bool, options: &RuledOptions, job
     })
 }
 
-/// The mean length of the segments of both polylines; infinite if there are none.
+/// Returns the mean length of the segments of both polylines; infinity without segments.
 fn mean_segment(rims: [&Rim; 2]) -> f64 {
     let count: u32 = rims.iter().map(|rim| rim.segments()).sum();
     if count == 0 {
         return f64::INFINITY;
     }
-    let length = |rim: &Rim| (0..rim.segments()).map(|i| rim.at(i).distance(rim.at(i + 1))).sum::<f64>();
+    let length = |rim: &Rim| (0..rim.segments()).map(|i| rim.point(i).distance(rim.point(i + 1))).sum::<f64>();
     rims.map(length).iter().sum::<f64>() / f64::from(count)
 }

@@ -1,9 +1,9 @@
-//! Relative direction of two rims round the gap between them.
+//! Relative direction of two rims around the gap between them.
 //!
-//! Both rims have their surface on the left. Where the pieces are parts of one oriented
-//! surface, the rims therefore run opposite ways; if they run the same way, one piece is inside
-//! out. The test compares the curves: each is sampled at equal arc lengths and centred, and the
-//! second is fitted to the first in both directions, at the best rotation.
+//! Both rims have their surface on the left. If the pieces are parts of one oriented surface, the
+//! rims run in opposite directions; if they run the same way, one piece is inside out. The test
+//! compares the curves. Each is sampled at equal arc lengths and centred, and the second is fitted
+//! to the first in both directions, at the best rotation.
 
 use super::facing::{centre, normal};
 use super::polyline::samples;
@@ -11,14 +11,14 @@ use super::stitch_rim::Rim;
 use glam::DVec3;
 use gusset_base::error::Result;
 
-/// Samples of each rim.
+/// Number of samples of each rim.
 const SAMPLES: usize = 64;
 
-/// A difference smaller than this part of the rims' own spread decides nothing: the rims are then
-/// nearly straight there and back, or mirror images of themselves from where the other one stands.
+/// Smallest significant difference, relative to the rims' own spread. Below it the rims double back
+/// on themselves, or are nearly mirror images.
 const MIN_RELATIVE_MARGIN: f64 = 0.01;
 
-/// True if rims `a` and `b` clearly run the same way, so that their surfaces disagree in
+/// Returns true if rims `a` and `b` clearly run the same way, so that their surfaces disagree in
 /// orientation.
 fn run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
     let (p, q) = (centred_samples(a)?, centred_samples(b)?);
@@ -34,13 +34,13 @@ fn run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
     Ok(2.0 * (same - opposite) > MIN_RELATIVE_MARGIN * (spread(&p) + spread(&q)))
 }
 
-/// True if whole rims `a` and `b`, each with its surface on the left, say clearly that their
-/// surfaces disagree in orientation.
+/// Returns true if the surfaces of whole rims `a` and `b`, each with its surface on the left,
+/// clearly disagree in orientation.
 ///
-/// The comparison of the curves holds while the gap bends by less than a right angle, or one rim
-/// lies inside the other. Where both rims lead off their surfaces to the same side, as the ends of
-/// a U-bend do, each is judged by itself: whether its surface is on the left as seen from where it
-/// leads to. The ends of an oriented surface all agree in that.
+/// Comparing the curves works if the gap bends by less than a right angle, or if one rim lies
+/// inside the other. If both rims lead off their surfaces to the same side, like the ends of a
+/// U-bend, each rim is judged by itself. The criterion is whether its surface lies on the left,
+/// seen from the outward direction. All ends of an oriented surface give the same answer.
 pub fn rims_disagree(a: &Rim, b: &Rim) -> Result<bool> {
     let leads = |rim: &Rim| rim.outward.length() > MIN_MEAN_DIRECTION;
     if leads(a) && leads(b) && a.outward.dot(b.outward) > 0.0 && !is_nested(&a.points, &b.points) {
@@ -50,16 +50,15 @@ pub fn rims_disagree(a: &Rim, b: &Rim) -> Result<bool> {
     run_the_same_way(&a.points, &b.points)
 }
 
-/// A rim leads off its surface in a direction if the mean of its unit vectors is longer than this.
+/// A rim has an outward direction if the mean of its unit vectors is longer than this.
 const MIN_MEAN_DIRECTION: f64 = 0.3;
 
-/// The cosine of the angle between a rim's area vector and the direction in which it leads off its
-/// surface.
+/// Returns the cosine of the angle between a rim's area vector and its outward direction.
 fn turns(rim: &Rim) -> f64 {
     normal(&rim.points).dot(rim.outward.normalize_or_zero())
 }
 
-/// True if the centres are nearer to each other than half the larger rim's greatest radius.
+/// Returns true if the centres are nearer than half the greatest radius of the larger rim.
 fn is_nested(a: &[DVec3], b: &[DVec3]) -> bool {
     let centres = [centre(a), centre(b)];
     let radius = |points: &[DVec3], c: DVec3| points.iter().map(|p| p.distance(c)).fold(0.0, f64::max);
@@ -67,9 +66,9 @@ fn is_nested(a: &[DVec3], b: &[DVec3]) -> bool {
     centres[0].distance(centres[1]) < 0.5 * largest
 }
 
-/// True if arcs `a` and `b`, each with its surface on the left, clearly run the same way, so that
-/// their surfaces disagree in orientation: laid side by side in the same direction they are nearer
-/// to each other than in opposite ones.
+/// Returns true if arcs `a` and `b`, each with its surface on the left, clearly run the same way,
+/// so that their surfaces disagree in orientation. The arcs are compared side by side in both
+/// directions.
 pub fn arcs_run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
     let (p, q) = (samples(a, false, SAMPLES)?, samples(b, false, SAMPLES)?);
     let apart = |at: fn(usize) -> usize| (0..SAMPLES).map(|k| p[k].distance_squared(q[at(k)])).sum::<f64>();
@@ -77,7 +76,7 @@ pub fn arcs_run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
     Ok(opposite - same > MIN_RELATIVE_MARGIN * (opposite + same))
 }
 
-/// Samples of a closed polyline, moved so that their mean is the origin.
+/// Returns samples of a closed polyline, centred at the origin.
 fn centred_samples(points: &[DVec3]) -> Result<Vec<DVec3>> {
     let mut samples = samples(points, true, SAMPLES)?;
     let mean = samples.iter().sum::<DVec3>() / SAMPLES as f64;

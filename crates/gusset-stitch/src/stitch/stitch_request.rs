@@ -3,7 +3,7 @@
 use super::extent::Extent;
 use super::facing::{Centres, Run};
 use super::first_meridian::Start;
-use super::meridian::{Meridians, Pair, Search};
+use super::meridian::{MeridianSearch, Meridians, Pair};
 use super::quality::Quality;
 use crate::repair::orient::Outward;
 use gusset_base::choices;
@@ -11,16 +11,16 @@ use gusset_base::job::Job;
 use gusset_mesh::{Mesh, MeshView};
 use std::ops::Range;
 
-/// What happens if the second piece is oriented against the first.
+/// The treatment of a second piece with the opposite orientation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Orientation {
-    /// Its faces are turned over. Two loops of one connected piece are taken as they are: turning
-    /// is no way out there.
+    /// The faces of the piece are turned over. Two loops of one connected piece are not changed,
+    /// because turning the piece does not help.
     #[default]
     Fix,
-    /// [`Error::OrientationConflict`](gusset_base::Error::OrientationConflict).
+    /// Fails with [`Error::OrientationConflict`](gusset_base::Error::OrientationConflict).
     Refuse,
-    /// The rims are not compared: the faces are taken to be right as they are.
+    /// The rims are not compared, and no face is changed.
     Keep,
 }
 
@@ -30,26 +30,26 @@ choices! { for Orientation:
     Keep => "Ignore", "The faces are taken as they are.";
 }
 
-/// How many rows of new vertices lie between the rims.
+/// The number of rows of new vertices between the rims.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Rows {
-    /// None: every meridian is one edge.
+    /// No rows: every meridian is one edge.
     #[default]
     None,
-    /// So many that the parts of a meridian are, in the mean, about as long as the mean side of the
-    /// faces of both pieces, as the paper suggests: max(0, round(mean meridian / mean side) - 1).
+    /// Divides the meridians into parts of about the mean side of both pieces' faces, as the paper
+    /// suggests: max(0, round(mean meridian / mean side) - 1) rows.
     MeanEdge,
-    /// This many.
+    /// The given number of rows.
     Count(u32),
 }
 
-/// What the strip is made of.
+/// The faces of the strip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Cells {
-    /// Triangles throughout; quads are split by their shorter diagonals.
+    /// Triangles only; quads are split by their shorter diagonals.
     #[default]
     Triangles,
-    /// Quads where four different neighbours meet, and triangles where a rim repeats a vertex.
+    /// Quads where four distinct neighbours meet, and triangles where a rim repeats a vertex.
     Quads,
 }
 
@@ -58,14 +58,14 @@ choices! { for Cells:
     Quads => "Quads", "Quads where four different neighbours meet, triangles elsewhere.";
 }
 
-/// Whether the new vertices stay on straight meridians.
+/// The placement of the new vertices.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Fairing {
-    /// They divide their meridians evenly, as the paper has it.
+    /// Evenly on straight meridians, as in the paper.
     #[default]
     None,
-    /// They are moved so that the strip bends as a thin plate does and meets both pieces smoothly:
-    /// see [`stitch()`](super::stitch()). The rims stay where they are.
+    /// The strip bends like a thin plate and joins both pieces smoothly; see
+    /// [`stitch()`](super::stitch()). The rims stay fixed.
     ThinPlate,
 }
 
@@ -74,19 +74,20 @@ choices! { for Fairing:
     ThinPlate => "Fair", "The strip bends as a thin plate and joins both pieces smoothly.";
 }
 
-/// What lies between the rims in the end.
+/// The surface between the rims.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Finish {
     /// The strip of meridians, with its rows.
     #[default]
     Strip,
-    /// The best-looking joint: triangles about as fine as those round the rims, graded between them,
-    /// without sharp angles where the rims allow it, on a surface that leaves both pieces along their
-    /// tangents. The strip, without rows, says which way it goes: meridians and matrix are its own,
-    /// and no edges of the result; rows, cells and fairing are not read. Where every blend would cut
-    /// more faces than the strip does, or would need too many vertices, the strip stays, and a note
-    /// says so. The surface bends as the strip does as a whole, so that a gap in a tube is bridged by
-    /// a tube. Time and memory grow with the number of new triangles.
+    /// The best-looking joint: triangles about as fine as those around the rims, graded between
+    /// them, on a surface tangent to both pieces.
+    ///
+    /// Sharp angles are avoided where the rims allow it. The strip without rows guides the blend,
+    /// so that a gap in a tube is bridged by a tube. Meridians and matrix describe the strip, and
+    /// are not edges of the result. Rows, cells and fairing are not read. The strip stays, and a
+    /// note reports it, if every blend would have more intersections than the strip, or would need
+    /// too many vertices. Time and memory grow with the number of new triangles.
     Blend,
 }
 
@@ -95,19 +96,21 @@ choices! { for Finish:
     Blend => "Blend", "Triangles as fine as those round it, on a smooth surface: the best-looking joint.";
 }
 
-/// Whether faces of the strip that cut others are looked for. What they share, a vertex or an
-/// edge, is no cut, nor are vertices and edges at the same place.
+/// Whether intersecting faces of the strip are looked for. Shared vertices and edges, and
+/// coincident ones, do not count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Intersections {
-    /// Always, and they are avoided: faired rows and blends are taken back until nothing cuts, or
-    /// nothing is left to take back, and a strip of triangles without rows by
-    /// [`Meridians::Continuation`] goes another way where it cuts (`avoid`). Other strips stay as
-    /// they are.
+    /// Finds and avoids intersections.
+    ///
+    /// Faired rows and blends return towards the unfaired positions until nothing intersects, or no
+    /// fairing is left. A strip of triangles without rows by [`Meridians::Continuation`] is
+    /// replaced by another one (`avoid`). Other strips are not changed.
     #[default]
     Auto,
-    /// Never: rows are faired in full, and the first blend is kept.
+    /// Does not look for intersections. Rows are fully faired, and the first blend is kept.
     Ignore,
-    /// Always. Faired rows and blends are taken back; no strip goes another way.
+    /// Finds intersections. Faired rows and blends return as in `Auto`, but strips are not
+    /// replaced.
     Report,
 }
 
@@ -117,49 +120,49 @@ choices! { for Intersections:
     Report => "Report", "They are looked for, and avoided by faired rows and blends only.";
 }
 
-/// How to stitch.
+/// Options of [`stitch()`](super::stitch()).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {
     /// The choice of meridians.
     pub meridians: Meridians,
-    /// How hard the best ones are looked for.
-    pub search: Search,
-    /// Which first meridians of a closed band are tried.
+    /// The effort of the search for the best meridians.
+    pub search: MeridianSearch,
+    /// The first meridians to try on a closed band.
     pub start: Start,
-    /// What to do about a second piece that is oriented against the first.
+    /// The treatment of a second piece with the opposite orientation.
     pub orientation: Orientation,
-    /// The first meridian of a closed band joins the closest pair; with a twist, the vertex of rim
-    /// B that comes this many places later, counted in the direction in which rim A runs (negative:
-    /// earlier), and no other start is tried. Must be 0 if arcs are joined.
+    /// Shifts the start of rim B by this number of places. The first meridian of a closed band
+    /// joins the closest pair of vertices. A twist moves its end on B in the direction in which rim
+    /// A runs (negative: backwards), and disables other starts. Must be 0 for arcs.
     pub twist: i64,
-    /// How much of the loops is joined.
+    /// Which part of the loops is joined.
     pub extent: Extent,
-    /// Which run of facing vertices is taken, where there are several.
+    /// Which of several runs of facing vertices is selected.
     pub run: Run,
-    /// How far a vertex must be from its loop's plane to face the other loop, in the unit of the
-    /// positions; `None` for what round-off can do.
+    /// A vertex faces the other loop if it is farther from its loop's plane than this, in the unit
+    /// of the positions; `None` for the round-off of the positions.
     pub tolerance: Option<f64>,
-    /// The loops' centres, which the planes go through.
+    /// The definition of the loops' centres, through which the planes run.
     pub centres: Centres,
-    /// Interior rows.
+    /// The number of interior rows.
     pub rows: Rows,
     /// Triangles or quads.
     pub cells: Cells,
-    /// Whether the rows are faired; if none are asked for, a note says that this is not read.
+    /// How the rows are faired. Without rows a note reports that this is not read.
     pub fairing: Fairing,
-    /// The strip itself, or a blend in its place.
+    /// The strip itself, or a blend in place of it.
     pub finish: Finish,
-    /// Whether faces that cut each other are looked for.
+    /// How intersecting faces are treated.
     pub intersections: Intersections,
-    /// What becomes of closed components of the result: they stay as they are, or those that are
-    /// inside out are turned over, each as a whole, as [`turn_outwards`] does.
+    /// The orientation of closed components of the result: kept, or turned outwards as a whole by
+    /// [`turn_outwards`].
     ///
     /// [`turn_outwards`]: crate::repair::orient::turn_outwards()
     pub outward: Outward,
 }
 
 impl Options {
-    /// Tells the host of what it asked for that is not read.
+    /// Notes the requested options that are not read.
     pub(crate) fn note_unread(&self, job: &Job<'_>) {
         let no_rows = matches!(self.rows, Rows::None | Rows::Count(0));
         if self.finish == Finish::Blend {
@@ -171,8 +174,8 @@ impl Options {
         }
     }
 
-    /// How the strip is made: for a blend, of triangles without rows.
-    pub(crate) fn of_strip(&self) -> Options {
+    /// Returns the options of the strip: for a blend, triangles without rows.
+    pub(crate) fn strip_options(&self) -> Options {
         match self.finish {
             Finish::Strip => *self,
             Finish::Blend => Options { rows: Rows::None, cells: Cells::Triangles, fairing: Fairing::None, ..*self },
@@ -180,83 +183,87 @@ impl Options {
     }
 }
 
-/// What to stitch: two loops of two meshes, or of one.
+/// The input of a stitch: two loops of two meshes, or of one.
 ///
-/// A loop is the list of its vertices in order, in either direction, each consecutive pair (and the
-/// last with the first) being an edge with exactly one face. `None` leaves the choice open: the
-/// nearest loops are taken, see [`stitch()`](super::stitch()).
+/// A loop lists its vertices in order, in either direction. Consecutive vertices, and the last with
+/// the first, must span an edge with exactly one face. `None` selects the nearest loops; see
+/// [`stitch()`](super::stitch()).
 #[derive(Clone, Copy)]
 pub struct Request<'a> {
     /// The first piece.
     pub a: &'a MeshView<'a>,
-    /// Its loop.
+    /// The loop of the first piece.
     pub loop_a: Option<&'a [u32]>,
-    /// The second piece; `None` if both loops are of the first.
+    /// The second piece; `None` if both loops belong to the first.
     pub b: Option<&'a MeshView<'a>>,
     /// The second loop.
     pub loop_b: Option<&'a [u32]>,
 }
 
-/// Old indices to new ones.
+/// A map from old indices to new ones.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct IndexMap {
-    /// Per old vertex, the new one.
+    /// For each old vertex, the new one.
     pub vertices: Vec<u32>,
-    /// Per old face, the new one.
+    /// For each old face, the new one.
     pub faces: Vec<u32>,
 }
 
 /// The result of stitching.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stitch {
-    /// Both pieces and the strip: vertices of A, then of B, then the new ones; faces of A, then of
-    /// B, then the strip. Positions are in the scalar type of A, and old ones keep their bits.
+    /// Both pieces and the strip. The order of the vertices is A's, B's, then the new ones; the
+    /// order of the faces is A's, B's, then the strip's. Positions have the scalar type of A, and
+    /// old ones keep their bits.
     pub mesh: Mesh,
-    /// The strip alone: the N vertices of rim A in order, then the M of rim B, then the new ones,
-    /// and its faces.
+    /// The strip alone: the N vertices of rim A in order, then the M of rim B, then the new
+    /// vertices, and the strip's faces.
     pub strip: Mesh,
-    /// Old indices to new ones, for each piece; the second is empty if there is only one piece.
+    /// Maps from old to new indices for each piece; the second is empty if there is only one piece.
     pub maps: [IndexMap; 2],
     /// The strip's faces in [`Stitch::mesh`].
     pub strip_faces: Range<u32>,
-    /// The vertices of each rim in [`Stitch::mesh`], from the first meridian on, side by side: rim
-    /// A has its surface on the left, rim B on the right, as they were before
-    /// [`Stitch::turned_outwards`].
+    /// The vertices of each rim in [`Stitch::mesh`], side by side from the first meridian. Before
+    /// [`Stitch::turned_outwards`] is applied, rim A has its surface on the left, and rim B on the
+    /// right.
     pub rims: [Vec<u32>; 2],
-    /// The strip is a closed band between whole loops; else it joins two arcs.
+    /// True for a closed band between whole loops; false for a strip between arcs.
     pub closed: bool,
-    /// The meridians as places (i, j) on the rims: the paper's matrix H. From (0, 0) to (N, M),
-    /// place N being place 0 again, if the band is closed, else to (N - 1, M - 1).
+    /// The meridians as places (i, j) on the rims: the paper's matrix H. On a closed band they run
+    /// from (0, 0) to (N, M), where place N is place 0 again. On an open strip they run to (N - 1,
+    /// M - 1).
     pub meridians: Vec<Pair>,
-    /// The paper's matrix P, row by row from rim A to rim B, one column for each meridian: vertices
-    /// of [`Stitch::mesh`].
+    /// The paper's matrix P of vertices of [`Stitch::mesh`], row by row from rim A to rim B, with
+    /// one column for each meridian.
     pub matrix: Vec<u32>,
-    /// Interior rows; the matrix has two rows more.
+    /// The number of interior rows; the matrix has two more.
     pub rows: u32,
-    /// Of each new vertex, three vertices of the rims in [`Stitch::mesh`] that it lies between: in a
-    /// row the ends of its meridian, that on rim B twice; of a blend the corners of the triangle of
-    /// the strip that it would be on without fairing.
+    /// For each new vertex, three parents: rim vertices in [`Stitch::mesh`]. In a row, they are the
+    /// ends of its meridian, the end on rim B twice. In a blend, they are the corners of the
+    /// strip's triangle that it would lie on without fairing.
     pub parents: Vec<[u32; 3]>,
-    /// How much each new vertex has of its parents; at least 0, with sum 1. In row k of r rows
-    /// 1 - k / (r + 1), k / (r + 1) and 0.
+    /// The weight of each parent, at least 0, with sum 1. In row k of r rows the weights are 1 - k
+    /// / (r + 1), k / (r + 1) and 0.
     pub weights: Vec<[f64; 3]>,
-    /// Pairs of faces of [`Stitch::mesh`] that cut each other, the first one of the strip and the
-    /// larger one if both are, in ascending order; `None` if they were not looked for. Polygons are
-    /// taken as triangles: quads split by their shorter diagonals, others as fans; a polygon that
-    /// cuts itself is paired with itself.
+    /// Pairs of intersecting faces of [`Stitch::mesh`], in ascending order; `None` if they were not
+    /// looked for.
+    ///
+    /// In each pair the first face belongs to the strip, and is the larger one if both do. Quads
+    /// are split by their shorter diagonals, and other polygons as fans. A polygon that intersects
+    /// itself is paired with itself.
     pub intersections: Option<Vec<[u32; 2]>>,
-    /// What the strip is: a blend that was asked for may have had to give way to the strip.
+    /// The resulting surface. It is the strip if a requested blend was not possible.
     pub finish: Finish,
-    /// How often the fairing had to be taken back in places.
+    /// The number of rounds that reduced the fairing.
     pub back_offs: u32,
-    /// The second piece was turned over, so as to agree with the first one.
+    /// True if the second piece was turned over to agree with the first.
     pub turned: bool,
-    /// Its faces in [`Stitch::mesh`] if it was, ascending. Each keeps its first corner and has the
-    /// others in reverse order.
+    /// The faces in [`Stitch::mesh`] that were turned over with the second piece, ascending. Each
+    /// keeps its first corner, and the order of its other corners is reversed.
     pub turned_faces: Vec<u32>,
-    /// Faces of the result, those of the strip too, that [`Options::outward`] had turned over in
-    /// the end, ascending. Each keeps its first corner and has the others in reverse order.
+    /// The faces of the result that [`Options::outward`] turned over, including faces of the strip,
+    /// ascending. Each keeps its first corner, and the order of its other corners is reversed.
     pub turned_outwards: Vec<u32>,
-    /// Measures of the result.
+    /// Quality of the result.
     pub quality: Quality,
 }

@@ -8,42 +8,43 @@ use gusset_base::error::{Error, Result, Side};
 use gusset_base::sort::sort_distinct;
 use gusset_mesh::MeshView;
 
-/// A closed loop of free edges that passes each vertex once, with the surface on its left; or an
-/// arc of one.
+/// A closed loop of free edges that passes each vertex once, with the surface on the left, or an
+/// arc of such a loop.
 pub struct Rim {
-    /// Whole; else an arc.
+    /// True for a whole loop; false for an arc.
     pub(super) closed: bool,
-    /// It was given by the caller in the other direction.
+    /// True if the caller gave the loop in the opposite direction.
     backwards: bool,
     pub(crate) vertices: Vec<u32>,
-    /// Their positions, in a unit common to all rims of one stitch.
+    /// The positions of the vertices, in a unit common to all rims of one stitch.
     pub(crate) points: Vec<DVec3>,
-    /// Of each edge, from one place to the next, the unit normal of the face along it; 0 for a face
-    /// without area.
+    /// For each edge from one place to the next, the unit normal of the face along it; 0 for a
+    /// degenerate face.
     pub(crate) normals: Vec<DVec3>,
     /// A face on the rim.
     pub(super) face: u32,
-    /// The mean over the rim of the unit vectors that lead off the surface, square to the rim. Near
-    /// 0 for a flat piece, whose rim leads off it on all sides; near 1 long for the end of a tube.
+    /// The mean over the rim of the unit vectors that lead off the surface, perpendicular to the
+    /// rim. It is near 0 for a flat piece, whose rim leads off it on all sides. Its length is near
+    /// 1 at the end of a tube.
     pub(super) outward: DVec3,
 }
 
-/// Loops with any of these cannot carry a strip.
+/// Loops with any of these flags cannot carry a strip.
 const UNUSABLE: u32 = LoopFlags::OPEN | LoopFlags::NON_MANIFOLD | LoopFlags::NOT_ORIENTED;
 
-/// True if `candidate` can carry a strip.
+/// Returns true if `candidate` can carry a strip.
 pub fn is_usable(candidate: &Loop<'_>) -> bool {
     !candidate.flags.any(UNUSABLE) && candidate.vertices.len() >= 3
 }
 
 impl Rim {
-    /// A usable loop of the boundary.
-    pub(crate) fn found(mesh: &MeshView<'_>, found: &Loop<'_>) -> Result<Rim> {
+    /// Creates a rim from a usable boundary loop.
+    pub(crate) fn from_loop(mesh: &MeshView<'_>, found: &Loop<'_>) -> Result<Rim> {
         Rim::new(mesh, alloc::copied(found.vertices)?, found.faces, false)
     }
 
-    /// A loop given by the caller, in either direction.
-    pub(super) fn given(mesh: &MeshView<'_>, edges: &FreeEdges, vertices: &[u32], side: Side) -> Result<Rim> {
+    /// Creates a rim from a loop given by the caller, in either direction.
+    pub(super) fn from_vertices(mesh: &MeshView<'_>, edges: &FreeEdges, vertices: &[u32], side: Side) -> Result<Rim> {
         check_loop(mesh, side as u32, vertices)?;
         let count = vertices.len();
         if count < 3 {
@@ -55,7 +56,7 @@ impl Rim {
             return Err(Error::LoopRepeatsVertex { side, vertex: pair[0] });
         }
 
-        // Faces that run the edges as the loop does, and faces that run them the other way.
+        // A face that runs an edge along the loop, and a face that runs one against it.
         let mut faces = [None, None];
         let mut along = alloc::with_capacity(count)?;
         for place in 0..count {
@@ -74,24 +75,24 @@ impl Rim {
             [Some(_), None] => {}
             [None, _] => {
                 vertices.reverse();
-                // Edge i of the reversed loop is edge n - 2 - i of the given one.
+                // Edge i of the reversed loop is edge n - 2 - i of the given loop.
                 along[..count - 1].reverse();
             }
         }
         Rim::new(mesh, vertices, &along, faces[1].is_some())
     }
 
-    /// `faces`: the face that each edge borders.
+    /// Creates a closed rim. `faces` has the face along each edge.
     fn new(mesh: &MeshView<'_>, vertices: Vec<u32>, faces: &[u32], backwards: bool) -> Result<Rim> {
         let points = alloc::collect(vertices.iter().map(|&v| mesh.positions().get(v)))?;
         let n = points.len();
-        let outward = (0..n).map(|i| off_the_face(mesh, faces[i], points[i], points[(i + 1) % n])).sum::<DVec3>();
+        let outward = (0..n).map(|i| outward_direction(mesh, faces[i], points[i], points[(i + 1) % n])).sum::<DVec3>();
         let normals = alloc::collect(faces.iter().map(|&f| unit_normal(mesh, f)))?;
         Ok(Rim { closed: true, backwards, vertices, points, normals, face: faces[0], outward: outward / n as f64 })
     }
 
-    /// A polyline that belongs to no mesh; its vertices are its places.
-    pub(super) fn bare(points: Vec<DVec3>, closed: bool) -> Result<Rim> {
+    /// Creates a rim from a polyline without a mesh. Its vertices are its places.
+    pub(super) fn from_points(points: Vec<DVec3>, closed: bool) -> Result<Rim> {
         let edges = points.len() - usize::from(!closed);
         Ok(Rim {
             closed,
@@ -113,7 +114,7 @@ impl Rim {
         })
     }
 
-    /// The mean distance of its vertices from their centre.
+    /// Returns the mean distance of the vertices from their centre.
     pub(crate) fn radius(&self) -> f64 {
         let middle = centre(&self.points);
         self.points.iter().map(|p| p.distance(middle)).sum::<f64>() / self.points.len() as f64
@@ -123,17 +124,17 @@ impl Rim {
         self.vertices.len() as u32 - u32::from(!self.closed)
     }
 
-    /// The position at place `i`; of a loop of N, place N is place 0 again.
-    pub(super) fn at(&self, i: u32) -> DVec3 {
+    /// Returns the position at place `i`. On a loop with N places, place N is place 0 again.
+    pub(super) fn point(&self, i: u32) -> DVec3 {
         self.points[i as usize % self.points.len()]
     }
 
-    /// The positions from place 0 to the last place, of a loop the first again at the end.
+    /// Returns the positions of all places, and for a loop the first again at the end.
     pub(super) fn line(&self) -> Result<Vec<DVec3>> {
-        alloc::collect((0..self.segments() as usize + 1).map(|i| self.at(i as u32)))
+        alloc::collect((0..self.segments() as usize + 1).map(|i| self.point(i as u32)))
     }
 
-    /// Cuts it down to `arc`, whose places the caller counts along the loop as it was given.
+    /// Cuts the rim to `arc`, whose places count along the loop as the caller gave it.
     pub(crate) fn cut(&mut self, arc: Arc) -> Result<()> {
         let n = self.vertices.len();
         let last = (arc.first + arc.count - 1) % n;
@@ -151,13 +152,13 @@ impl Rim {
         self.points.reverse();
         self.normals.reverse();
         if self.closed {
-            // Edge k now leads from what was place n - 1 - k to n - 2 - k: it was edge n - 2 - k.
+            // Edge k now leads from old place n - 1 - k to n - 2 - k: it was edge n - 2 - k.
             self.normals.rotate_left(1);
         }
     }
 
-    /// Its surface has been turned over: the rim runs the other way, so that the surface is on the
-    /// left again.
+    /// Adapts the rim to a surface that has been turned over: reverses it, so that the surface is
+    /// on the left again.
     pub(crate) fn turn(&mut self) {
         self.reverse();
         self.normals.iter_mut().for_each(|normal| *normal = -*normal);
@@ -171,11 +172,11 @@ impl Rim {
     }
 }
 
-/// The unit vector that leads off face `f` across its edge from `p` to `q`, square to it; 0 for a
-/// face without area.
-fn off_the_face(mesh: &MeshView<'_>, f: u32, p: DVec3, q: DVec3) -> DVec3 {
+/// Returns the unit vector that leads off face `f` across its edge from `p` to `q`, perpendicular
+/// to the edge; 0 for a degenerate face.
+fn outward_direction(mesh: &MeshView<'_>, f: u32, p: DVec3, q: DVec3) -> DVec3 {
     let corners = mesh.face(f as usize).map(|v| mesh.positions().get(v));
-    // In the face's own unit, so that nothing overflows.
+    // Scale by the face's own size, to avoid overflow.
     let reach = corners.clone().map(|c| (c - p).abs().max_element()).fold(0.0, f64::max);
     let count = corners.len() as f64;
     let inwards = corners.map(|c| (c - p) / reach).sum::<DVec3>() / count;
@@ -183,7 +184,7 @@ fn off_the_face(mesh: &MeshView<'_>, f: u32, p: DVec3, q: DVec3) -> DVec3 {
     -(inwards - along * inwards.dot(along)).normalize_or_zero()
 }
 
-/// The unit normal of face `f`, by its vector area; 0 if it has none.
+/// Returns the unit normal of face `f` by its vector area; 0 for a degenerate face.
 fn unit_normal(mesh: &MeshView<'_>, f: u32) -> DVec3 {
     let mut corners = mesh.face(f as usize).map(|v| mesh.positions().get(v));
     let Some(first) = corners.next() else {
@@ -192,19 +193,19 @@ fn unit_normal(mesh: &MeshView<'_>, f: u32) -> DVec3 {
     let reach = corners.clone().map(|c| (c - first).abs().max_element()).fold(0.0, f64::max);
     let arms = corners.map(|c| (c - first) / reach);
     let area = arms.clone().zip(arms.skip(1)).map(|(p, q)| p.cross(q)).sum::<DVec3>();
-    // Without any reach the arms are 0 / 0.
+    // If all corners coincide, the arms are 0 / 0.
     if area.is_finite() { area.normalize_or_zero() } else { DVec3::ZERO }
 }
 
-/// A vertex that both rims, of one mesh, pass.
+/// Returns a vertex that both rims of one mesh pass.
 pub fn shared_vertex(a: &Rim, b: &Rim) -> Result<Option<u32>> {
     let mut sorted = alloc::copied(&a.vertices)?;
     sorted.sort_unstable();
     Ok(b.vertices.iter().copied().filter(|v| sorted.binary_search(v).is_ok()).min())
 }
 
-/// [`Error::LoopIndexOutOfRange`] unless a mesh has all vertices of a loop of the caller's; `number`:
-/// that of the loop.
+/// Checks that a mesh has all vertices of the caller's loop `number`. Fails with
+/// [`Error::LoopIndexOutOfRange`].
 pub(crate) fn check_loop(mesh: &MeshView<'_>, number: u32, vertices: &[u32]) -> Result<()> {
     match (0..).zip(vertices).find(|&(_, &vertex)| vertex as usize >= mesh.positions().len()) {
         Some((place, &vertex)) => Err(Error::LoopIndexOutOfRange { number, place, vertex }),
@@ -212,11 +213,11 @@ pub(crate) fn check_loop(mesh: &MeshView<'_>, number: u32, vertices: &[u32]) -> 
     }
 }
 
-/// The edges with exactly one face, found by their ends in the direction of that face.
+/// The edges with exactly one face, sorted by their ends in the direction of that face.
 pub(crate) struct FreeEdges(Vec<(u32, u32, u32)>);
 
 impl FreeEdges {
-    pub(crate) fn of(boundary: &Boundary) -> Result<Self> {
+    pub(crate) fn from_boundary(boundary: &Boundary) -> Result<Self> {
         let mut edges = alloc::with_capacity(boundary.edge_count())?;
         for found in boundary.iter() {
             for (i, (&face, &flags)) in found.faces.iter().zip(found.edge_flags).enumerate() {
@@ -230,30 +231,31 @@ impl FreeEdges {
         Ok(FreeEdges(edges))
     }
 
-    /// The face that runs the free edge from `u` to `v` in this direction.
+    /// Returns the face that runs the free edge from `u` to `v` in this direction.
     pub(crate) fn face_that_runs(&self, u: u32, v: u32) -> Option<u32> {
         let at = self.0.partition_point(|&(a, b, _)| (a, b) < (u, v));
         self.0.get(at).filter(|&&(a, b, _)| (a, b) == (u, v)).map(|&(_, _, face)| face)
     }
 }
 
-/// The edges that one mesh already has between its two rims. No meridian may repeat one: the edge
-/// would have four faces.
+/// The existing edges between two rims of one mesh. A meridian must not repeat one of them, because
+/// the edge would get four faces.
 pub struct Bridges(Vec<(u32, u32)>);
 
 impl Bridges {
-    /// Rims on different meshes have none.
-    pub(super) fn none() -> Self {
+    /// Returns the empty set, for rims on different meshes.
+    pub(super) fn empty() -> Self {
         Bridges(Vec::new())
     }
 
-    /// Edges from a vertex of rim A to one of rim B, in ascending order.
-    pub(crate) fn of(edges: Vec<(u32, u32)>) -> Self {
+    /// Creates the set from edges that lead from rim A to rim B, in ascending order.
+    pub(crate) fn from_edges(edges: Vec<(u32, u32)>) -> Self {
         Bridges(edges)
     }
 
-    /// The edges of `mesh` from a vertex of `a` to a vertex of `b`. One pass over the half-edges.
-    pub(super) fn between(mesh: &MeshView<'_>, a: &Rim, b: &Rim) -> Result<Self> {
+    /// Finds the edges of `mesh` from a vertex of `a` to a vertex of `b`, in one pass over the
+    /// half-edges.
+    pub(super) fn find(mesh: &MeshView<'_>, a: &Rim, b: &Rim) -> Result<Self> {
         let mut side = alloc::filled(None, mesh.positions().len())?;
         a.vertices.iter().for_each(|&v| side[v as usize] = Some(Side::A));
         b.vertices.iter().for_each(|&v| side[v as usize] = Some(Side::B));
@@ -272,12 +274,12 @@ impl Bridges {
         Ok(Bridges(edges))
     }
 
-    /// True if the mesh has an edge between vertex `u` of rim A and vertex `v` of rim B.
-    pub(super) fn has(&self, u: u32, v: u32) -> bool {
+    /// Returns true if the mesh has an edge between vertex `u` of rim A and vertex `v` of rim B.
+    pub(super) fn contains(&self, u: u32, v: u32) -> bool {
         !self.0.is_empty() && self.0.binary_search(&(u, v)).is_ok()
     }
 
-    /// The places (i, j) on rims `a` and `b` of the edges' ends.
+    /// Returns the places (i, j) of the edges' ends on rims `a` and `b`.
     pub(super) fn nodes(&self, a: &Rim, b: &Rim) -> Result<Vec<[u32; 2]>> {
         if self.is_empty() {
             return Ok(Vec::new());
@@ -296,7 +298,7 @@ impl Bridges {
         Ok(nodes)
     }
 
-    /// True if the rims are joined by no edge.
+    /// Returns true if no edge joins the rims.
     pub(super) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }

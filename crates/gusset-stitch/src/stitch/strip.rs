@@ -1,6 +1,6 @@
 //! The strip between two rims: first meridian, remaining meridians, rows and faces.
 
-use super::first_meridian::{Start, by_rotation, closest_pair};
+use super::first_meridian::{Start, closest_pair, pair_by_rotation};
 use super::grid::{FaceList, Grid};
 use super::meridian::{
     self, MeridianChoice, Meridians, Pair, RimPair, StepPenalty, forbidden_nodes, meridians, meridians_near,
@@ -12,10 +12,10 @@ use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::par;
 
-/// A second start is taken if it is better by more than this part.
+/// A second start is used if its relative gain exceeds this.
 const MIN_RELATIVE_GAIN: f64 = 1.0 / (1 << 20) as f64;
 
-/// Pairs of vertices that are worth a thread.
+/// Lattices with fewer nodes are searched on one thread.
 const MIN_NODES_PER_THREAD: usize = 1 << 14;
 
 /// A strip that is not yet part of a mesh.
@@ -26,28 +26,28 @@ pub(crate) struct Strip {
     pub(crate) meridians: Vec<Pair>,
     pub(crate) grid: Grid,
     pub(crate) faces: FaceList,
-    /// Of each new vertex.
+    /// The parents of each new vertex.
     pub(crate) parents: Vec<Parents>,
 }
 
-/// The vertices of the rims that a new one lies between.
+/// The rim vertices that a new vertex is interpolated from.
 #[derive(Clone, Copy)]
 pub(crate) struct Parents {
-    /// By the strip's own numbers: of a row, the ends of the meridian, that of rim B twice.
+    /// Strip vertices. In a row, they are the ends of the meridian, the end on rim B twice.
     pub(crate) vertices: [u32; 3],
-    /// How much each counts, at least 0 with sum 1; the last one 0 of a row.
+    /// The weight of each parent, at least 0, with sum 1. In a row the last is 0.
     pub(crate) weights: [f64; 3],
 }
 
 impl Strip {
-    /// Hangs a strip on two rims that run side by side, rim A with its surface on the left, rim B
-    /// on the right. `mean_side`: the mean side of the faces round it, in the rims' unit; asked for
-    /// if the rows depend on it.
+    /// Builds a strip between two rims that run side by side, rim A with its surface on the left,
+    /// and rim B on the right. `mean_side` returns the mean side of the faces around the strip, in
+    /// the rims' unit; it is called only if the rows depend on it.
     ///
     /// # Errors
     /// [`Error::NoStrip`], [`Error::OptionOutOfRange`], [`Error::TooLarge`],
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub(crate) fn between(
+    pub(crate) fn build(
         mut a: Rim,
         mut b: Rim,
         bridges: &Bridges,
@@ -63,16 +63,16 @@ impl Strip {
             from_given_start(&a, &b, bridges, options, job)?.ok_or(Error::NoStrip { vertex: a.vertices[0] })?.pairs
         };
         job.step(1.0, meridian::STAGE)?;
-        let strip = Strip::on(a, b, meridians, bridges, options, mean_side)?;
+        let strip = Strip::from_meridians(a, b, meridians, bridges, options, mean_side)?;
         job.step(1.0, meridian::STAGE)?;
         Ok(strip)
     }
 
-    /// Hangs a strip on two rims by meridians that are known.
+    /// Builds a strip between two rims from given meridians.
     ///
     /// # Errors
     /// [`Error::NoStrip`], [`Error::TooLarge`], [`Error::OutOfMemory`].
-    pub(super) fn on(
+    pub(super) fn from_meridians(
         a: Rim,
         b: Rim,
         meridians: Vec<Pair>,
@@ -84,9 +84,9 @@ impl Strip {
             Rows::None => 0,
             Rows::Count(count) => count,
             Rows::MeanEdge => {
-                let lengths = meridians.iter().map(|&[i, j]| a.at(i).distance(b.at(j)));
+                let lengths = meridians.iter().map(|&[i, j]| a.point(i).distance(b.point(j)));
                 let mean_meridian = lengths.sum::<f64>() / meridians.len() as f64;
-                // As many as the strip can hold at most, even if the sides have no length.
+                // Limit the rows to the largest possible number, even if the sides have length 0.
                 ((mean_meridian / mean_side()).round() - 1.0).clamp(0.0, f64::from(u32::MAX)) as u32
             }
         };
@@ -100,7 +100,7 @@ impl Strip {
         Ok(Strip { a, b, meridians, grid, faces, parents })
     }
 
-    /// Puts the strip on other meridians, without rows.
+    /// Replaces the meridians of a strip without rows.
     ///
     /// # Errors
     /// [`Error::NoStrip`], [`Error::OutOfMemory`].
@@ -111,13 +111,13 @@ impl Strip {
         Ok(())
     }
 
-    /// The number of the rims' vertices, which are the strip's first.
+    /// Returns the number of rim vertices, which come first in the strip.
     pub(crate) fn rim_count(&self) -> usize {
         self.a.vertices.len() + self.b.vertices.len()
     }
 }
 
-/// Turns the rims so that both begin at the best first meridian, and finds the others.
+/// Rotates the rims to the best first meridian, and returns the meridians from there.
 fn best_start(a: &mut Rim, b: &mut Rim, bridges: &Bridges, options: &Options, job: &Job<'_>) -> Result<Vec<Pair>> {
     let none = Error::NoStrip { vertex: a.vertices[0] };
     let count = b.vertices.len();
@@ -125,7 +125,7 @@ fn best_start(a: &mut Rim, b: &mut Rim, bridges: &Bridges, options: &Options, jo
     let j = ((j as i64 + options.twist.rem_euclid(count as i64)).rem_euclid(count as i64)) as usize;
     let second = match options.start {
         Start::Auto if options.twist == 0 => {
-            by_rotation(a, b, bridges, &job.part(0.2, 0.2))?.filter(|&other| other != (i, j))
+            pair_by_rotation(a, b, bridges, &job.part(0.2, 0.2))?.filter(|&other| other != (i, j))
         }
         _ => None,
     };
@@ -161,7 +161,7 @@ fn best_start(a: &mut Rim, b: &mut Rim, bridges: &Bridges, options: &Options, jo
     }
 }
 
-/// The meridians from the first one on.
+/// Returns the best meridians from the given first meridian.
 pub(crate) fn from_given_start(
     a: &Rim,
     b: &Rim,
@@ -172,8 +172,8 @@ pub(crate) fn from_given_start(
     between_rims(a, b, bridges, options, &[], |rims| meridians(rims, options.meridians, options.search, job))
 }
 
-/// The best meridians near others, where some steps have penalties.
-pub(super) fn near(
+/// Returns the best meridians near a path, with penalties on some steps.
+pub(super) fn meridians_near_path(
     a: &Rim,
     b: &Rim,
     bridges: &Bridges,
@@ -194,7 +194,7 @@ fn between_rims<T>(
     find: impl FnOnce(&RimPair<'_>) -> Result<T>,
 ) -> Result<T> {
     let (n, m) = (a.vertices.len() as u32, b.vertices.len() as u32);
-    // With interior rows no meridian is an edge of its own.
+    // With interior rows, no meridian is a single edge.
     let forbidden = match options.rows {
         Rows::None => forbidden_nodes(bridges.nodes(a, b)?.into_iter(), n, m, a.closed)?,
         _ => Vec::new(),

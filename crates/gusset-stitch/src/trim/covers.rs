@@ -1,4 +1,4 @@
-//! Which places of other pieces vertices lie on.
+//! The places on other pieces that vertices lie on.
 
 use super::layer::Layer;
 use glam::DVec3;
@@ -11,16 +11,16 @@ use gusset_base::par;
 const STAGE: &str = "looking for overlaps";
 const CHUNK: usize = 1 << 9;
 
-/// When two surfaces are one.
+/// The criterion for two pieces showing one surface.
 #[derive(Clone, Copy)]
-pub(super) struct Same {
-    /// The distance; `None`: so many mean edges of the coarser piece.
+pub(super) struct SameSurface {
+    /// The largest distance; `None` means `edges` mean edges of the coarser piece.
     pub(super) distance: Option<f64>,
     pub(super) edges: f64,
     pub(super) cosine: f64,
 }
 
-impl Same {
+impl SameSurface {
     fn distance(&self, a: &Layer, b: &Layer) -> f64 {
         self.distance.unwrap_or(self.edges * a.scan.spacing.max(b.scan.spacing))
     }
@@ -34,19 +34,19 @@ struct Cover {
     confidence: f64,
 }
 
-/// The places that the vertices of a piece lie on, one on each other piece at the most.
+/// The places that the vertices of a piece lie on, at most one on each other piece.
 pub(super) struct Covers {
     ends: Vec<u32>,
     places: Vec<Cover>,
 }
 
 impl Covers {
-    /// O(log F) for each vertex of piece `k` and each piece near it.
+    /// Finds the places. O(log F) for each vertex of piece `k` and each piece near it.
     pub(super) fn new(
         layers: &[Layer],
         trees: &[TriangleTree<'_>],
         k: usize,
-        same: &Same,
+        same: &SameSurface,
         job: &Job<'_>,
     ) -> Result<Covers> {
         let own = &layers[k];
@@ -59,13 +59,13 @@ impl Covers {
         let chunks = par::ranges(own.scan.points.len(), CHUNK);
         let parts = par::map_cancellable(job, STAGE, chunks, |range| -> Result<Covers> {
             let mut part = Covers { ends: alloc::with_capacity(range.len())?, places: Vec::new() };
-            // Where the vertex before lay, on each.
+            // The triangle of the previous vertex on each piece.
             let mut guesses = alloc::filled(None, near.len())?;
             for v in range {
                 let (p, n) = (own.scan.points[v], own.scan.normals[v]);
                 let on = |(&j, guess): (&usize, &mut Option<u32>)| {
                     let reach = same.distance(own, &layers[j]);
-                    let (face, confidence) = place(&layers[j], &trees[j], p, n, reach, same.cosine, guess)?;
+                    let (face, confidence) = find_cover(&layers[j], &trees[j], p, n, reach, same.cosine, guess)?;
                     Some(Cover { piece: j as u32, face, confidence })
                 };
                 if n != DVec3::ZERO {
@@ -85,17 +85,17 @@ impl Covers {
         Ok(all)
     }
 
-    fn of(&self, v: usize) -> &[Cover] {
+    fn covers_at(&self, v: usize) -> &[Cover] {
         let start = v.checked_sub(1).map_or(0, |before| self.ends[before]);
         &self.places[start as usize..self.ends[v] as usize]
     }
 
-    /// The vertices that lie on another piece.
+    /// Returns the number of vertices that lie on another piece.
     pub(super) fn count(&self) -> u32 {
-        (0..self.ends.len()).filter(|&v| !self.of(v).is_empty()).count() as u32
+        (0..self.ends.len()).filter(|&v| !self.covers_at(v).is_empty()).count() as u32
     }
 
-    /// The pieces that vertices lie on, ascending.
+    /// Returns the pieces that vertices lie on, ascending.
     pub(super) fn pieces(&self) -> Result<Vec<u32>> {
         let mut pieces = Vec::new();
         for cover in &self.places {
@@ -107,22 +107,22 @@ impl Covers {
         Ok(pieces)
     }
 
-    /// True if a vertex lies on a face that `is_kept` says.
+    /// Returns true if a vertex lies on a face that satisfies `is_kept`.
     pub(super) fn is_on(&self, v: usize, is_kept: impl Fn(u32, u32) -> bool) -> bool {
-        self.of(v).iter().any(|cover| is_kept(cover.piece, cover.face))
+        self.covers_at(v).iter().any(|cover| is_kept(cover.piece, cover.face))
     }
 
-    /// How much more confident a vertex is than all places that it lies on, of faces that
-    /// `competes` says; infinite if there are none.
+    /// Returns the vertex's confidence minus the largest confidence of its places on faces that
+    /// satisfy `competes`; infinity if there are none.
     pub(super) fn margin(&self, v: usize, confidence: f64, competes: impl Fn(u32, u32) -> bool) -> f64 {
-        let on = self.of(v).iter().filter(|cover| competes(cover.piece, cover.face));
+        let on = self.covers_at(v).iter().filter(|cover| competes(cover.piece, cover.face));
         on.map(|cover| confidence - cover.confidence).fold(f64::INFINITY, f64::min)
     }
 }
 
-/// The face and the confidence of the place on a piece that a point with a normal lies on, if it
-/// does. `guess`: the triangle where a point beside it lay.
-fn place(
+/// Returns the face and the confidence of the place on a piece that a point with a normal lies on,
+/// or `None`. `guess` is the triangle of a nearby point.
+fn find_cover(
     other: &Layer,
     tree: &TriangleTree<'_>,
     p: DVec3,
@@ -139,7 +139,7 @@ fn place(
     *guess = Some(place.triangle);
     let corners = other.triangles[place.triangle as usize];
     let with = || corners.into_iter().zip(place.weights).filter(|&(_, weight)| weight > 0.0);
-    // Beyond a border the nearest place is on it.
+    // Beyond a border, the nearest place lies on the border.
     if with().all(|(v, _)| scan.rim.contains(v)) {
         return None;
     }

@@ -1,4 +1,4 @@
-//! Kept faces of different pieces that cut or touch each other.
+//! Kept faces of different pieces that intersect or touch each other.
 
 use super::STAGE;
 use super::layer::Layer;
@@ -11,11 +11,11 @@ use gusset_base::job::Job;
 use gusset_base::sort::sort_distinct;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The faces of each piece that cut one of a piece before it. O(F log F).
+/// Returns the faces of each piece that intersect a face of an earlier piece. O(F log F).
 pub(super) fn crossings(layers: &[Layer], regions: &[Region<'_, '_>], job: &Job<'_>) -> Result<Vec<Vec<u32>>> {
     let mut points: Vec<DVec3> = Vec::new();
-    // Triangles, the pieces and the faces that they are of.
-    let (mut triangles, mut of): (Vec<[u32; 3]>, Vec<[u32; 2]>) = (Vec::new(), Vec::new());
+    // The triangles, and the piece and face of each.
+    let (mut triangles, mut owners): (Vec<[u32; 3]>, Vec<[u32; 2]>) = (Vec::new(), Vec::new());
     for ((layer, region), k) in layers.iter().zip(regions).zip(0..) {
         let first = points.len() as u32;
         job.step(0.0, STAGE)?;
@@ -24,40 +24,42 @@ pub(super) fn crossings(layers: &[Layer], regions: &[Region<'_, '_>], job: &Job<
         for (n, (triangle, &f)) in kept.enumerate() {
             job.part(0.0, 0.0).step_within(n, STAGE)?;
             alloc::push(&mut triangles, triangle.map(|v| v + first))?;
-            alloc::push(&mut of, [k, f])?;
+            alloc::push(&mut owners, [k, f])?;
         }
     }
     let soup = Soup { at: |v: u32| points[v as usize], new: &triangles, old: &[] };
-    // That of the later piece, as elsewhere: what went here on one side and there on the other
-    // would leave neither.
-    let worse = |s: u32, t: u32| if of[s as usize][0] > of[t as usize][0] { s } else { t };
-    // Each face is found once, by whichever pair: where many lie in one, not all pairs are listed,
-    // and the faces are the same in any order.
+    // Choose the face of the later piece, as elsewhere. Without a fixed rule, faces of both pieces
+    // could be removed at one place.
+    let worse = |s: u32, t: u32| if owners[s as usize][0] > owners[t as usize][0] { s } else { t };
+    // List each face once, by any of its pairs. If many faces intersect one, not all pairs are
+    // listed, and the result does not depend on the order.
     let is_found = alloc::collect((0..triangles.len()).map(|_| AtomicBool::new(false)))?;
     job.step(0.0, STAGE)?;
     let wanted = |s: u32, t: u32| {
-        of[s as usize][0] != of[t as usize][0] && !is_found[worse(s, t) as usize].load(Ordering::Relaxed)
+        owners[s as usize][0] != owners[t as usize][0] && !is_found[worse(s, t) as usize].load(Ordering::Relaxed)
     };
     let list = |s: u32, t: u32| !is_found[worse(s, t) as usize].swap(true, Ordering::Relaxed);
     let mut found = alloc::filled(Vec::new(), layers.len())?;
     for [s, t] in intersecting_pairs_where(&soup, &wanted, &list, job)? {
-        let [k, f] = of[worse(s, t) as usize];
+        let [k, f] = owners[worse(s, t) as usize];
         alloc::push(&mut found[k as usize], f)?;
     }
     found.iter_mut().for_each(sort_distinct);
     Ok(found)
 }
 
-/// Adds the faces at vertices that lie exactly in one place with those of another piece, and have no
-/// edge in common with any: no strip fits in there, and no seam. Of pieces that overlap only; where
-/// none of those that meet has an edge in common, the first is left. O(r log r) for r edges of rims.
+/// Adds faces that touch another piece exactly at a vertex without sharing an edge: strips and
+/// seams do not fit there.
+///
+/// Applies only to pieces that overlap. If none of the pieces at a vertex shares an edge, the first
+/// is kept. O(r log r) for r rim edges.
 pub(super) fn add_touching(
     layers: &[Layer],
     regions: &[Region<'_, '_>],
     pairs: &[[u32; 2]],
     found: &mut [Vec<u32>],
 ) -> Result<()> {
-    // -0 equals 0.
+    // Add 0, so that -0 equals 0.
     let key = |p: DVec3| p.to_array().map(|x| (x + 0.0).to_bits());
     let mut edges = Vec::new();
     for ((layer, region), k) in layers.iter().zip(regions).zip(0u32..) {
@@ -65,7 +67,7 @@ pub(super) fn add_touching(
             alloc::push(&mut edges, (ends.map(|v| key(layer.scan.points[v as usize])), k, f))
         })?;
     }
-    // Edges as pairs of places, and the ends of those that two pieces have.
+    // The edges as pairs of positions, and the ends of edges that two pieces share.
     let mut sides = alloc::collect(edges.iter().map(|&([p, q], k, _)| ([p.min(q), p.max(q)], k)))?;
     sides.sort_unstable();
     let mut held = Vec::new();

@@ -1,4 +1,4 @@
-//! A piece made ready: triangles that answer where the nearest place is, and confidences.
+//! A prepared piece: triangles for nearest-point searches, and confidences.
 
 use super::trim_request::Options;
 use crate::align::Scan;
@@ -13,24 +13,24 @@ use gusset_mesh::MeshView;
 
 const STAGE: &str = "looking at the pieces";
 const CHUNK: usize = 1 << 10;
-/// Loops of fewer vertices are small holes, beside which a surface is as good as elsewhere.
+/// Loops with fewer vertices are small holes, which do not reduce the confidence.
 const MIN_BORDER: usize = 32;
-/// What is seen under the flattest angle counts for this part.
+/// Smallest factor of the confidence, for surfaces seen at a grazing angle.
 const MIN_SIGHT: f64 = 0.1;
 
-/// A piece.
+/// A prepared piece.
 pub(super) struct Layer {
     pub(super) scan: Scan,
-    /// Its faces as triangles, those of a polygon round its first corner.
+    /// The faces as triangles; polygons are fans from their first corners.
     pub(super) triangles: Vec<[u32; 3]>,
-    /// The face that each triangle is of.
+    /// The face of each triangle.
     pub(super) faces: Vec<u32>,
-    /// Of vertices, in mean edges.
+    /// The confidence of each vertex, in mean edges.
     pub(super) confidence: Vec<f64>,
 }
 
 impl Layer {
-    /// O(V log V).
+    /// Prepares a piece. O(V log V).
     pub(super) fn new(
         mesh: &MeshView<'_>,
         k: usize,
@@ -57,12 +57,12 @@ impl Layer {
         for border in borders.iter().filter(|border| border.vertices.len() >= MIN_BORDER) {
             alloc::extend(&mut rim, border.vertices.iter().map(|&v| scan.points[v as usize]))?;
         }
-        // In one group: of points that lie in one, one is looked at.
+        // Put all points in one group: of coincident points, only one is visited.
         let tree = KdTree::with_groups(&rim, &alloc::filled(0, rim.len())?, &job.part(0.6, 0.6), STAGE)?;
         let viewpoint = options.viewpoints.get(k).map(|viewpoint| *viewpoint / unit - origin);
         let of = |v: usize| {
             let (p, n) = (scan.points[v], scan.normals[v]);
-            // Of a closed piece no place is nearer to a border than another.
+            // On a closed piece, all places are equally far from a border.
             let distance = tree.nearest(p, f64::INFINITY, |_| true).map_or(scan.bounds.diagonal(), |(s, _)| s.sqrt());
             let sight = viewpoint.map_or(1.0, |viewpoint| (viewpoint - p).normalize_or_zero().dot(n).max(MIN_SIGHT));
             if scan.spacing > 0.0 { sight * distance / scan.spacing } else { 0.0 }

@@ -1,32 +1,31 @@
-//! Trimming: where pieces overlap, one of them is kept, and a narrow gap is left between them,
-//! which strips close.
+//! Trimming of overlaps: one piece is kept, and a narrow gap is left, which strips close.
 //!
-//! Source of the idea: G. Turk and M. Levoy, *Zippered polygon meshes from range images* (1994),
-//! who eat overlaps away from the borders and clip one mesh at the other's. Here both are cut along
-//! the line where they are equally good, near the middle of the overlap, and no vertex moves:
+//! The idea follows G. Turk and M. Levoy, *Zippered polygon meshes from range images* (1994), who
+//! erode overlaps from the borders and clip one mesh at the other. Here both pieces are cut along
+//! the line of equal confidence, near the middle of the overlap, and vertices do not move:
 //!
-//! 1. Each vertex has a confidence: its distance from the nearest border of its piece, in edges, so
-//!    that the finer of two pieces counts for more; less where it was seen under a flat angle, if
-//!    the caller says from where.
-//! 2. A vertex lies on another piece if the nearest place there is near, faces the same way, and is
+//! 1. Each vertex has a confidence: its distance from the nearest border of its piece, in mean
+//!    edges, so that the finer of two pieces has more. If the caller gives viewpoints, vertices that
+//!    were seen at a grazing angle have less.
+//! 2. A vertex lies on another piece if the nearest place there is near, faces the same side, and is
 //!    not on a border.
-//! 3. Piece by piece, in their order, a vertex is kept if it lies on nothing that is kept before, and
-//!    is no less confident than what it lies on after, up to what noise may say; not where it is too
-//!    near to the rim of what is kept before: that is the gap.
-//! 4. Faces are kept whose vertices are; what is left thinner than two faces goes, and so do small
-//!    islands, and faces that would meet in one vertex only. What cannot be kept competes with
-//!    nothing, and islands that nothing else shows are given back.
-//! 5. Kept faces that cut those of a piece before theirs go, with those round them.
+//! 3. The pieces are visited in order. A vertex is kept if it does not lie on earlier kept faces, and
+//!    is at least as confident as its places on later pieces, up to noise. A vertex too near to the
+//!    rim of earlier kept faces is not kept: that makes the gap.
+//! 4. Faces are kept if their vertices are. Parts thinner than two faces, small islands, and faces
+//!    that meet only in a vertex are removed. Removed faces no longer compete with others, and
+//!    islands that no other piece shows are restored.
+//! 5. Kept faces that intersect faces of an earlier piece are removed, with the faces around them.
 //!
-//! | file | what it does |
+//! | file | task |
 //! |---|---|
 //! | [`trim_request`](self) | options and results |
-//! | [`layer`](self) | a piece made ready to be asked for places |
-//! | [`covers`](self) | which places of other pieces vertices lie on |
+//! | [`layer`](self) | a prepared piece |
+//! | [`covers`](self) | the places on other pieces that vertices lie on |
 //! | [`region`](self) | the faces that are kept: thin parts, islands, pinches |
-//! | [`crossings`](self) | kept faces that cut each other |
-//! | [`trim_run`](self) | all of it in order |
-//! | [`remains`](self) | what is left as one mesh, and what it was |
+//! | [`crossings`](self) | kept faces that intersect each other |
+//! | [`trim_run`](self) | all steps in order |
+//! | [`remains`](self) | the kept faces as one mesh, and their origins |
 
 mod covers;
 mod crossings;
@@ -40,5 +39,5 @@ pub use remains::Remains;
 pub use trim_request::{Options, Trimmed};
 pub use trim_run::trim;
 
-/// The stage of progress.
+/// The progress message.
 const STAGE: &str = "trimming the pieces";

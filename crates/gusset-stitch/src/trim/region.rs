@@ -1,8 +1,8 @@
-//! The faces of a piece that are kept, made a surface that strips can hang on: nothing thinner than
-//! two faces, no small islands, no faces that meet in one vertex only.
+//! The kept faces of a piece, made a surface to which strips can be attached. It is without parts
+//! thinner than two faces, small islands, and faces that meet only in a vertex.
 
 use super::STAGE;
-use super::trim_request::SPARE;
+use super::trim_request::SPARE_FACTOR;
 use crate::align::Scan;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -13,37 +13,38 @@ use gusset_base::job::Job;
 use gusset_base::sort::sort;
 use gusset_mesh::{MeshView, NONE, Opposite, Topology, half_edges};
 
-/// Components of a piece that have so many times fewer faces than its largest are islands, too, if
-/// they are small.
-const DEBRIS: u32 = 10;
-/// Rounds in which faces go that hang by one side, or meet others in a vertex only.
+/// Small components with this many times fewer faces than the largest component are islands too.
+const DEBRIS_RATIO: u32 = 10;
+/// Largest number of rounds that remove faces attached by one side, or meeting others only in a
+/// vertex.
 const MAX_ROUNDS: usize = 20;
 
-/// The rims of what is kept: vertices and the middles of edges between them.
+/// The rims of the kept faces: vertices, and the midpoints of edges.
 #[derive(Default)]
 pub(super) struct Rims {
     pub(super) points: Vec<DVec3>,
-    /// In their directions.
+    /// The normals at these points, not normalised.
     pub(super) normals: Vec<DVec3>,
 }
 
-/// A set of a piece's faces.
+/// A subset of a piece's faces.
 pub(super) struct Region<'m, 'a> {
     mesh: &'m MeshView<'a>,
-    /// Of each half-edge the face on its other side, or [`NONE`].
+    /// For each half-edge, the face on its other side, or [`NONE`].
     across: Vec<u32>,
     pub(super) keeps: Vec<bool>,
-    /// Those that cannot be kept, whatever lies on them.
+    /// True for faces that are removed for good.
     pub(super) lost: Vec<bool>,
-    /// Those that are not given back, once lost, and not spared, as nothing else is kept there.
+    /// True for removed faces that are not restored, and for restored ones that are not spared.
     settled: Vec<bool>,
-    /// For each face the number of faces of its component in the piece, and the largest of all.
+    /// For each face, the number of faces of its component in the piece. `largest` is their
+    /// maximum.
     component: Vec<u32>,
     largest: u32,
 }
 
 impl<'m, 'a> Region<'m, 'a> {
-    /// All faces. O(H log d).
+    /// Starts with all faces. O(H log d).
     pub(super) fn new(mesh: &'m MeshView<'a>, job: &Job<'_>) -> Result<Region<'m, 'a>> {
         let topology = Topology::new(mesh, &job.part(0.0, 0.5))?;
         let count = mesh.faces().len();
@@ -73,8 +74,8 @@ impl<'m, 'a> Region<'m, 'a> {
         Ok(region)
     }
 
-    /// The faces beside the sides of a face; [`NONE`] where there is none.
-    fn beside(&self, f: usize) -> &[u32] {
+    /// Returns the faces across the sides of a face; [`NONE`] for missing ones.
+    fn neighbours(&self, f: usize) -> &[u32] {
         &self.across[self.mesh.faces().range(f)]
     }
 
@@ -82,10 +83,12 @@ impl<'m, 'a> Region<'m, 'a> {
         f != NONE && self.keeps[f as usize]
     }
 
-    /// Keeps the faces all of whose vertices are wanted, without those that are lost or have a
-    /// vertex that is barred, and makes them a surface: small holes are kept after all, and small
-    /// islands are lost; true if there are any. `shown`: vertices that later pieces show as well.
-    /// `min_faces`: what has fewer is small. O(rounds * H).
+    /// Keeps the faces whose vertices are all wanted, except removed faces and faces with a barred
+    /// vertex. Small holes are filled, and small islands are removed for good. Returns true if
+    /// there were any.
+    ///
+    /// `shown` marks vertices that later pieces show as well. Fewer than `min_faces` faces are
+    /// small. O(rounds * H).
     pub(super) fn keep_where(
         &mut self,
         wanted: &[bool],
@@ -103,29 +106,30 @@ impl<'m, 'a> Region<'m, 'a> {
         job.step(0.1, STAGE)?;
         let holes = self.sizes_within(&self.keeps, &self.keeps, job)?;
         for f in 0..self.keeps.len() {
-            // What is most of a component is no hole in it.
+            // A gap larger than half a component is not a hole in it.
             let is_hole = 2 * holes[f][0] < self.component[f];
-            let is_small_hole = self.keeps[f] && is_hole && holes[f][0] < SPARE.saturating_mul(min_faces);
+            let is_small_hole = self.keeps[f] && is_hole && holes[f][0] < SPARE_FACTOR.saturating_mul(min_faces);
             self.keeps[f] = may[f] && (!self.keeps[f] || is_small_hole);
         }
         job.step(0.3, STAGE)?;
-        self.open(job)?;
+        self.remove_thin_parts(job)?;
         for _ in 0..MAX_ROUNDS {
             job.step(0.5, STAGE)?;
-            if !self.take_out_ears(job)? & !self.take_out_pinches(job)? {
+            if !self.remove_ears(job)? & !self.remove_pinches(job)? {
                 break;
             }
         }
-        // How many of each island no other piece shows.
+        // Count the faces of each island that no other piece shows.
         let is_needed = |f: usize| self.settled[f] || !self.mesh.face(f).all(|v| shown[v as usize]);
         let needed = alloc::collect_cancellable((0..self.keeps.len()).map(is_needed), &job.part(0.8, 0.8), STAGE)?;
         let islands = self.sizes_within(&self.keeps, &needed, job)?;
         let mut any = false;
         for (f, &[size, needed]) in islands.iter().enumerate() {
-            // What others show as well can be spared.
-            let least = if 2 * needed < size { SPARE.saturating_mul(min_faces) } else { min_faces };
-            // Small pieces may have nothing larger; beside large components they are debris.
-            let is_own = size == self.component[f] && size.saturating_mul(DEBRIS) >= self.largest;
+            // Islands that other pieces show too can be spared.
+            let least = if 2 * needed < size { SPARE_FACTOR.saturating_mul(min_faces) } else { min_faces };
+            // The only component of a small piece is not an island; beside large components it is
+            // debris.
+            let is_own = size == self.component[f] && size.saturating_mul(DEBRIS_RATIO) >= self.largest;
             let is_island = self.keeps[f] && size < least && !is_own;
             self.keeps[f] &= !is_island;
             self.lost[f] |= is_island;
@@ -134,10 +138,10 @@ impl<'m, 'a> Region<'m, 'a> {
         Ok(any)
     }
 
-    /// Visits the edges of the rim of what is kept, with their faces.
+    /// Visits the rim edges of the kept faces, with their faces.
     pub(super) fn each_rim_edge(&self, mut visit: impl FnMut(u32, [u32; 2]) -> Result<()>) -> Result<()> {
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
-            for ((_, u, v), &g) in half_edges(self.mesh, f).zip(self.beside(f)) {
+            for ((_, u, v), &g) in half_edges(self.mesh, f).zip(self.neighbours(f)) {
                 if !self.is_kept(g) {
                     visit(f as u32, [u, v])?;
                 }
@@ -146,16 +150,17 @@ impl<'m, 'a> Region<'m, 'a> {
         Ok(())
     }
 
-    /// Enters the rim of what is kept: where something was taken out beyond, and where nothing was.
-    pub(super) fn rim(&self, scan: &Scan, [cut, border]: &mut [Rims; 2], job: &Job<'_>) -> Result<()> {
+    /// Adds the rim of the kept faces: cut edges, beyond which a face was removed, and border
+    /// edges.
+    pub(super) fn add_rim(&self, scan: &Scan, [cut, border]: &mut [Rims; 2], job: &Job<'_>) -> Result<()> {
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
             job.step_within(f, STAGE)?;
-            for ((_, u, v), &g) in half_edges(self.mesh, f).zip(self.beside(f)) {
+            for ((_, u, v), &g) in half_edges(self.mesh, f).zip(self.neighbours(f)) {
                 if !self.is_kept(g) {
                     let [p, q] = [u, v].map(|v| scan.points[v as usize]);
                     let [m, n] = [u, v].map(|v| scan.normals[v as usize]);
                     let out = if g == NONE { &mut *border } else { &mut *cut };
-                    // Both ends: the next edge may be of the other kind.
+                    // Add both ends, because the next edge may be of the other kind.
                     alloc::append(&mut out.points, &[p, p.midpoint(q), q])?;
                     alloc::append(&mut out.normals, &[m, m + n, n])?;
                 }
@@ -164,7 +169,7 @@ impl<'m, 'a> Region<'m, 'a> {
         Ok(())
     }
 
-    /// Smooths values of vertices over faces, so many times.
+    /// Smooths values at vertices over faces, in `passes` passes.
     pub(super) fn smooth(&self, values: &mut [f64], passes: usize, job: &Job<'_>) -> Result<()> {
         let mut sums = alloc::filled((0.0, 0.0), values.len())?;
         for pass in 0..passes {
@@ -189,10 +194,12 @@ impl<'m, 'a> Region<'m, 'a> {
         Ok(())
     }
 
-    /// Gives back islands that were spared where nothing else is kept now, whole if that is much
-    /// of them; true if there are any. `on`: vertices that lie on what is kept of other pieces;
-    /// `min_faces`: what has fewer is small.
-    pub(super) fn give_back(&mut self, on: &[bool], min_faces: u32, job: &Job<'_>) -> Result<bool> {
+    /// Restores removed islands where no other face is kept now; whole islands if that is a large
+    /// part of them. Returns true if there are any.
+    ///
+    /// `on` marks vertices that lie on kept faces of other pieces. Fewer than `min_faces` faces are
+    /// small.
+    pub(super) fn restore(&mut self, on: &[bool], min_faces: u32, job: &Job<'_>) -> Result<bool> {
         let count = self.keeps.len();
         let spared = alloc::collect((0..count).map(|f| self.lost[f] && !self.settled[f]))?;
         let is_bare = |f: usize| spared[f] && !self.mesh.face(f).any(|v| on[v as usize]);
@@ -209,14 +216,14 @@ impl<'m, 'a> Region<'m, 'a> {
         Ok(any)
     }
 
-    /// For each face of `among` the number of those that hang together with it across sides, and
-    /// how many of them are `counted`; zeros for other faces.
+    /// Returns for each face of `among` the size of its component in `among`, and the number of
+    /// `counted` faces in it; zeros for other faces.
     fn sizes_within(&self, among: &[bool], counted: &[bool], job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
         let count = among.len();
         let mut sets = DisjointSets::new(count)?;
         for f in (0..count).filter(|&f| among[f]) {
             job.step_within(f, STAGE)?;
-            for &g in self.beside(f).iter().filter(|&&g| g != NONE && among[g as usize]) {
+            for &g in self.neighbours(f).iter().filter(|&&g| g != NONE && among[g as usize]) {
                 sets.union(f as u32, g);
             }
         }
@@ -231,8 +238,8 @@ impl<'m, 'a> Region<'m, 'a> {
         alloc::collect_cancellable((0..count).map(of), &job.part(1.0, 1.0), STAGE)
     }
 
-    /// Loses faces for good, and all that have a vertex in common with them.
-    pub(super) fn lose(&mut self, faces: &[u32]) -> Result<()> {
+    /// Removes faces for good, and all faces that share a vertex with them.
+    pub(super) fn remove_for_good(&mut self, faces: &[u32]) -> Result<()> {
         let mut gone = BitSet::new(self.mesh.positions().len())?;
         faces.iter().for_each(|&f| self.mesh.face(f as usize).for_each(|v| gone.insert(v)));
         for f in 0..self.keeps.len() {
@@ -243,10 +250,10 @@ impl<'m, 'a> Region<'m, 'a> {
         Ok(())
     }
 
-    /// Takes out what is thinner than two faces: keeps the faces round vertices inside.
-    fn open(&mut self, job: &Job<'_>) -> Result<()> {
+    /// Removes parts thinner than two faces: keeps only the faces around inner vertices.
+    fn remove_thin_parts(&mut self, job: &Job<'_>) -> Result<()> {
         let count = self.mesh.positions().len();
-        // A vertex is inside if no face round it is gone.
+        // A vertex is inside if all faces around it are kept.
         let mut inside = alloc::filled(true, count)?;
         for f in (0..self.keeps.len()).filter(|&f| !self.keeps[f]) {
             job.part(0.4, 0.4).step_within(f, STAGE)?;
@@ -260,14 +267,14 @@ impl<'m, 'a> Region<'m, 'a> {
         Ok(())
     }
 
-    /// Takes out faces of which all sides but one are free where something was taken out beside
-    /// them; true if there were any.
-    fn take_out_ears(&mut self, job: &Job<'_>) -> Result<bool> {
+    /// Removes faces of which all sides except one are free, at least one of them by a removal.
+    /// Returns true if there were any.
+    fn remove_ears(&mut self, job: &Job<'_>) -> Result<bool> {
         let mut ears = Vec::new();
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
             job.part(0.5, 0.5).step_within(f, STAGE)?;
             let (mut held, mut cut) = (0, 0);
-            for &g in self.beside(f) {
+            for &g in self.neighbours(f) {
                 held += usize::from(self.is_kept(g));
                 cut += usize::from(g != NONE && !self.is_kept(g));
             }
@@ -279,20 +286,20 @@ impl<'m, 'a> Region<'m, 'a> {
         Ok(!ears.is_empty())
     }
 
-    /// Takes out all but the largest of several fans of faces round a vertex where something was
-    /// taken out; true if there were any.
-    fn take_out_pinches(&mut self, job: &Job<'_>) -> Result<bool> {
+    /// At vertices with several fans of faces beside a removed face, removes all fans except the
+    /// largest. Returns true if there were any.
+    fn remove_pinches(&mut self, job: &Job<'_>) -> Result<bool> {
         let mut touched = BitSet::new(self.mesh.positions().len())?;
         for f in (0..self.keeps.len()).filter(|&f| !self.keeps[f]) {
             job.part(0.0, 0.0).step_within(f, STAGE)?;
             self.mesh.face(f).for_each(|v| touched.insert(v));
         }
         job.step(0.5, STAGE)?;
-        // The faces at each such vertex, and those beside them across the edges that end there.
+        // The faces at each of these vertices, and the faces across their two edges there.
         let mut corners: Vec<(u32, u32, [u32; 2])> = Vec::new();
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
             job.part(0.0, 0.0).step_within(f, STAGE)?;
-            let beside = self.beside(f);
+            let beside = self.neighbours(f);
             for (k, v) in self.mesh.face(f).enumerate().filter(|&(_, v)| touched.contains(v)) {
                 let before = beside[(k + beside.len() - 1) % beside.len()];
                 alloc::push(&mut corners, (v, f as u32, [before, beside[k]]))?;

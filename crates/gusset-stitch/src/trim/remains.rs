@@ -1,4 +1,4 @@
-//! What trimming leaves of the pieces side by side, and what it was.
+//! The kept faces of all pieces as one mesh, and their origins.
 
 use super::trim_request::Trimmed;
 use gusset_base::alloc;
@@ -9,27 +9,27 @@ use gusset_mesh::{Mesh, MeshView, NONE, Piece, concatenate};
 
 const STAGE: &str = "putting the pieces together";
 
-/// What is left of the pieces side by side.
+/// The kept faces of the pieces, side by side.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Remains {
-    /// The faces that are kept and the vertices that they use, in the order of the pieces.
-    /// Positions keep their bits, in the scalar type of the first piece.
+    /// The kept faces and the vertices that they use, in the order of the pieces. Positions keep
+    /// their bits, in the scalar type of the first piece.
     pub mesh: Mesh,
-    /// Where the vertices and faces of each piece begin in the maps.
+    /// The first vertex and the first face of each piece in the maps.
     pub places: Vec<Piece>,
-    /// Of the vertices of all pieces what they became, or [`NONE`].
+    /// For each vertex of all pieces, the new vertex, or [`NONE`].
     pub vertex_map: Vec<u32>,
-    /// The same of the faces.
+    /// For each face of all pieces, the new face, or [`NONE`].
     pub face_map: Vec<u32>,
-    /// Of the faces that are left what they were, counted through all pieces.
+    /// For each kept face, the old face, counted through all pieces.
     pub faces: Vec<u32>,
-    /// The same of the corners.
+    /// For each kept corner, the old corner, counted through all pieces.
     pub corners: Vec<u32>,
 }
 
 impl Remains {
-    /// `trimmed`: what is left of these pieces. Vertices that are one with others are kept if a
-    /// face that is kept has them. O(size).
+    /// Builds the mesh of the kept faces of `trimmed`. Vertices that were merged with others are
+    /// kept if a kept face has them. O(size).
     ///
     /// # Errors
     /// [`Error::EmptyMesh`](gusset_base::Error::EmptyMesh) without pieces,
@@ -37,7 +37,7 @@ impl Remains {
     /// [`Error::TooLarge`](gusset_base::Error::TooLarge),
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
-    pub fn of(pieces: &[MeshView<'_>], trimmed: &Trimmed, job: &Job<'_>) -> Result<Remains> {
+    pub fn new(pieces: &[MeshView<'_>], trimmed: &Trimmed, job: &Job<'_>) -> Result<Remains> {
         let job = &job.part(0.0, 0.0);
         let (whole, places) = concatenate(pieces, job)?;
         let count = trimmed.kept.iter().map(Vec::len).sum();

@@ -2,51 +2,53 @@
 
 use glam::DVec3;
 
-/// How to trim.
+/// Options of [`trim`](super::trim()).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options<'a> {
-    /// Surfaces that are no farther apart than this are one, in the unit of the positions; `None`:
-    /// four mean edges of the coarser piece.
+    /// The largest distance between two meshes of one surface, in the unit of the positions; `None`
+    /// means four mean edges of the coarser piece.
     pub max_distance: Option<f64>,
-    /// Surfaces whose normals differ by more are two, in radians, below a quarter of a circle; 0:
-    /// 60 degrees.
+    /// The largest angle between the normals of two meshes of one surface, in radians, below a
+    /// quarter of a circle; 0 means 60 degrees.
     pub max_angle: f64,
-    /// Where each piece was seen from, in the unit of the positions; empty if nothing is known.
-    /// What was seen under a flat angle counts for less.
+    /// The viewpoint of each piece, in the unit of the positions; empty if unknown. Surfaces that
+    /// were seen at a grazing angle have less confidence.
     pub viewpoints: &'a [DVec3],
-    /// Parts of fewer faces are no surface, but for whole components of the pieces; 0: 30.
+    /// Parts with fewer faces are removed, except whole components of the pieces; 0 means 30.
     pub min_faces: u32,
 }
 
-/// What has fewer faces is no surface, if the caller says nothing.
+/// Default for the smallest number of faces of a part.
 const MIN_FACES: u32 = 30;
-/// What others show as well is spared up to so many times as many faces.
-pub(super) const SPARE: u32 = 20;
+/// Parts that other pieces show too are removed if they have fewer than this multiple of that
+/// number.
+pub(super) const SPARE_FACTOR: u32 = 20;
 
 impl Options<'_> {
-    /// What has fewer faces is no surface.
-    pub(super) fn least(&self) -> u32 {
+    /// Returns the smallest number of faces of a part.
+    pub(super) fn least_faces(&self) -> u32 {
         if self.min_faces == 0 { MIN_FACES } else { self.min_faces }
     }
 
-    /// What has fewer faces can be spared.
+    /// Returns the smallest number of faces of a part that other pieces show too.
     pub(crate) fn least_island(&self) -> u32 {
-        SPARE.saturating_mul(self.least())
+        SPARE_FACTOR.saturating_mul(self.least_faces())
     }
 }
 
-/// What is left of pieces.
+/// The kept faces of the pieces.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trimmed {
-    /// For each piece the faces that are kept, ascending.
+    /// For each piece, the kept faces, ascending.
     pub kept: Vec<Vec<u32>>,
-    /// For each piece the vertices that lie on another one.
+    /// For each piece, the number of vertices that lie on another piece.
     pub covered: Vec<u32>,
-    /// The pairs of pieces, the smaller first, that show the same surface somewhere, and face the
-    /// same way there. Ascending.
+    /// The pairs of pieces, the smaller first, that show the same surface and face the same side
+    /// there. Ascending.
     pub pairs: Vec<[u32; 2]>,
     /// The mean edge of the coarsest piece, in the unit of the positions.
     pub spacing: f64,
-    /// Faces that cut some of a piece before theirs after all else; they went, with those round them.
+    /// The number of kept faces that intersected an earlier piece. They were removed, with the
+    /// faces around them.
     pub crossings: u32,
 }

@@ -1,7 +1,7 @@
-//! Trimming from the meshes to the faces that are kept.
+//! The steps of trimming, from the meshes to the kept faces.
 
 use super::STAGE;
-use super::covers::{Covers, Same};
+use super::covers::{Covers, SameSurface};
 use super::crossings::{add_touching, crossings};
 use super::layer::Layer;
 use super::region::{Region, Rims};
@@ -17,31 +17,31 @@ use gusset_base::sort::sort_distinct;
 use gusset_mesh::MeshView;
 use std::ops::ControlFlow;
 
-/// Surfaces that are no farther apart are one, in mean edges, if the caller says nothing.
-const EDGES: f64 = 4.0;
-/// Surfaces whose normals differ by more are two, in radians, if the caller says nothing.
-const ANGLE: f64 = std::f64::consts::FRAC_PI_3;
-/// The least width of gaps, in mean edges.
-const GAP: f64 = 0.5;
-/// Earlier pieces are kept though later ones are more confident, by no more than this, in mean
-/// edges: where two have a border in common, noise is not to say which is.
-const BIAS: f64 = 3.0;
-/// Margins are smoothed so many times, for a smooth line between the pieces, and count for no more
-/// than this.
-const SMOOTHINGS: usize = 6;
+/// Default largest distance between meshes of one surface, in mean edges.
+const MAX_DISTANCE_EDGES: f64 = 4.0;
+/// Default largest angle between normals of one surface, in radians.
+const MAX_ANGLE: f64 = std::f64::consts::FRAC_PI_3;
+/// Smallest width of gaps, in mean edges.
+const GAP_EDGES: f64 = 0.5;
+/// Advantage of earlier pieces in confidence, in mean edges. At a common border, noise must not
+/// decide.
+const EARLIER_PIECE_BIAS: f64 = 3.0;
+/// Number of smoothing passes over the margins, for a smooth line between the pieces.
+const SMOOTHING_PASSES: usize = 6;
+/// Margins are clamped to this.
 const MAX_MARGIN: f64 = 8.0;
-/// Rounds in which faces that cannot be kept go, and others come in their place.
+/// Largest number of rounds that remove faces and keep others in their place.
 const MAX_ROUNDS: usize = 12;
 
-/// Says which faces of overlapping pieces are kept, so that no two surfaces lie on each other, and
-/// narrow gaps are left where they did.
+/// Selects the faces of overlapping pieces to keep, so that no two surfaces lie on each other.
+/// Narrow gaps remain between them.
 ///
 /// O(V log F) for each piece and those near it, on the job's threads. Memory: linear.
 ///
 /// # Errors
-/// [`Error::EmptyMesh`] without pieces, [`Error::OptionOutOfRange`] for a distance or an angle out
-/// of range, [`Error::InputsDiffer`] for viewpoints of fewer pieces, [`Error::NotFinite`]
-/// for a viewpoint that is nowhere, [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::EmptyMesh`] without pieces. [`Error::OptionOutOfRange`] for a distance or an angle out
+/// of range. [`Error::InputsDiffer`] for fewer viewpoints than pieces. [`Error::NotFinite`] for a
+/// viewpoint that is not finite. [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Trimmed> {
     if pieces.is_empty() {
         return Err(Error::EmptyMesh { what: "pieces" });
@@ -70,10 +70,10 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
         let Layer { scan, triangles, .. } = layer;
         TriangleTree::new(&scan.points, triangles, "looking at the pieces", &prepare.part(1.0, 1.0))
     }))?;
-    let same = Same {
+    let same = SameSurface {
         distance: options.max_distance.map(|distance| distance / unit),
-        edges: EDGES,
-        cosine: libm::cos(if angle == 0.0 { ANGLE } else { angle }),
+        edges: MAX_DISTANCE_EDGES,
+        cosine: libm::cos(if angle == 0.0 { MAX_ANGLE } else { angle }),
     };
     let covers = alloc::try_collect((0..count).map(|k| Covers::new(&layers, &trees, k, &same, &look.share(k, count))))?;
     let mut pairs = Vec::new();
@@ -81,7 +81,7 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
         alloc::extend(&mut pairs, covers.pieces()?.into_iter().map(|j| [j.min(k), j.max(k)]))?;
     }
     sort_distinct(&mut pairs);
-    let min_faces = options.least();
+    let min_faces = options.least_faces();
     let job = job.part(0.8, 1.0);
     let mut regions = alloc::try_collect(
         pieces.iter().enumerate().map(|(k, piece)| Region::new(piece, &job.part(0.0, 0.1).share(k, count))),
@@ -89,11 +89,11 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
     let mut cut = 0;
     for round in 0..MAX_ROUNDS {
         let job = job.part(0.1, 1.0).share(round, MAX_ROUNDS);
-        // What cannot be kept competes with nothing: others are kept in its place.
+        // Removed faces do not compete, so other faces are kept in their place.
         let mut lost = false;
         for k in 0..count {
             let done = 0.7 * k as f64 / count as f64;
-            lost |= keep(&layers, &covers, &mut regions, k, min_faces, &job.part(done, done))?;
+            lost |= choose_faces(&layers, &covers, &mut regions, k, min_faces, &job.part(done, done))?;
         }
         if lost && round + 2 < MAX_ROUNDS {
             continue;
@@ -105,7 +105,7 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
                 let is_kept = |piece: u32, face: u32| regions[piece as usize].keeps[face as usize];
                 let on = (0..layers[k].scan.points.len()).map(|v| covers[k].is_on(v, is_kept));
                 let on = alloc::collect_cancellable(on, &job.part(0.7, 0.7), STAGE)?;
-                back |= regions[k].give_back(&on, min_faces, &job.part(0.7, 0.7))?;
+                back |= regions[k].restore(&on, min_faces, &job.part(0.7, 0.7))?;
             }
             if back {
                 continue;
@@ -118,7 +118,7 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
         }
         for (region, faces) in regions.iter_mut().zip(&found) {
             cut += faces.len() as u32;
-            region.lose(faces)?;
+            region.remove_for_good(faces)?;
         }
     }
     let kept =
@@ -132,10 +132,10 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
     })
 }
 
-/// Chooses what is kept of piece `k`, of which nothing lies on what is kept of the pieces before
-/// it: where it is as confident as those after it, give or take [`BIAS`]. True if islands were
-/// lost.
-fn keep(
+/// Chooses the faces of piece `k` to keep. They do not lie on kept faces of earlier pieces, and are
+/// at least as confident as later pieces, up to [`EARLIER_PIECE_BIAS`]. Returns true if islands
+/// were removed.
+fn choose_faces(
     layers: &[Layer],
     covers: &[Covers],
     regions: &mut [Region<'_, '_>],
@@ -148,26 +148,26 @@ fn keep(
     let (own, after) = rest.split_at_mut(1);
     let points = &layer.scan.points;
     job.step(0.0, STAGE)?;
-    // What is after it, and not lost.
+    // Faces of later pieces compete unless they were removed.
     let competes = |piece: u32, face: u32| match (piece as usize).checked_sub(k + 1) {
         Some(j) => !after[j].lost[face as usize],
         None => false,
     };
     let margin = |v| covers[k].margin(v, layer.confidence[v], competes).clamp(-MAX_MARGIN, MAX_MARGIN);
     let mut margins = alloc::collect_cancellable((0..points.len()).map(margin), job, STAGE)?;
-    own[0].smooth(&mut margins, SMOOTHINGS, job)?;
+    own[0].smooth(&mut margins, SMOOTHING_PASSES, job)?;
     let mut rims = [Rims::default(), Rims::default()];
     for (region, other) in before.iter().zip(layers) {
         job.step(0.0, STAGE)?;
-        if layer.scan.bounds.is_within(&other.scan.bounds, GAP * other.scan.spacing) {
-            region.rim(&other.scan, &mut rims, job)?;
+        if layer.scan.bounds.is_within(&other.scan.bounds, GAP_EDGES * other.scan.spacing) {
+            region.add_rim(&other.scan, &mut rims, job)?;
         }
     }
     let trees = alloc::try_collect(rims.iter().map(|rims| KdTree::new(&rims.points, job, STAGE)))?;
-    let gap = Radius::new((GAP * layer.scan.spacing).max(f64::MIN_POSITIVE));
+    let gap = Radius::new((GAP_EDGES * layer.scan.spacing).max(f64::MIN_POSITIVE));
     let is_near_rim = |v: usize| {
         let bars = |rims: &Rims, r: u32| rims.normals[r as usize].dot(layer.scan.normals[v]) > 0.0;
-        // Borders that meet as they are need no gap.
+        // Borders that already meet need no gap.
         let count = if layer.scan.rim.contains(v as u32) { 1 } else { 2 };
         rims.iter().zip(&trees).take(count).any(|(rims, tree)| {
             let visit = |r| if bars(rims, r) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
@@ -181,13 +181,13 @@ fn keep(
         barred.push(covers[k].is_on(v, is_kept) || is_near_rim(v));
     }
     job.step(0.0, STAGE)?;
-    let wanted: Vec<bool> = alloc::collect(margins.iter().map(|&margin| margin > -BIAS))?;
+    let wanted: Vec<bool> = alloc::collect(margins.iter().map(|&margin| margin > -EARLIER_PIECE_BIAS))?;
     let shown = alloc::collect_cancellable((0..points.len()).map(|v| covers[k].is_on(v, competes)), job, STAGE)?;
     job.step(0.0, STAGE)?;
     own[0].keep_where(&wanted, &barred, &shown, min_faces, job)
 }
 
-/// The box of what faces use.
+/// Returns the box of the vertices that faces use.
 fn bounds(piece: &MeshView<'_>, unit: f64) -> Aabb {
     Aabb::from_points((0..piece.faces().len()).flat_map(|f| piece.face(f).map(|v| piece.positions().get(v) / unit)))
 }

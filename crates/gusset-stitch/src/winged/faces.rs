@@ -1,9 +1,9 @@
-//! The faces of a table of edges: the way back from equation 2 to a list of polygons.
+//! The faces of a table of edges: the conversion from equation 2 back to a list of polygons.
 //!
-//! A side of an edge is a half-edge of its face. As R it runs M to N, b comes after it and d before;
-//! as L it runs N to M, e comes after and c before. A table is that of a mesh if the sides of each
-//! face, taken from wing to wing, are one cycle; that is checked, side by side, and nothing is put
-//! right.
+//! A side of an edge is a half-edge of its face. As R it runs from M to N; b follows it and d
+//! precedes it. As L it runs from N to M; e follows it and c precedes it. A table belongs to a mesh
+//! if the sides of each face, linked by the wings, form one cycle. This is checked for every side;
+//! invalid tables are rejected, not repaired.
 
 use super::tables::{Winding, WingedEdge};
 use gusset_base::alloc;
@@ -11,18 +11,18 @@ use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_mesh::{MAX_ELEMENTS, NONE};
 
-/// Faces as corners one after another, and the edges along them.
+/// Faces as consecutive corners, and the edges along them.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct WingedFaces {
-    /// Where each face's corners start; one entry more than there are faces.
+    /// The start of each face's corners, and the total number of corners.
     pub offsets: Vec<u32>,
-    /// Vertex indices, face after face.
+    /// The vertices of the corners, face after face.
     pub corners: Vec<u32>,
-    /// Of each corner the edge that leaves it.
+    /// For each corner, the edge that leaves it.
     pub edges: Vec<u32>,
 }
 
-/// Sides between two progress reports.
+/// Number of sides between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;
 
 /// One side of an edge, in the direction in which its face runs in the tables.
@@ -35,7 +35,7 @@ struct Side {
     after: u32,
 }
 
-/// R, then L.
+/// Returns the sides R, then L.
 fn sides(edge: &WingedEdge) -> [Side; 2] {
     let &WingedEdge { m, n, b, c, d, e, left, right, .. } = edge;
     [
@@ -44,17 +44,19 @@ fn sides(edge: &WingedEdge) -> [Side; 2] {
     ]
 }
 
-/// The faces of a table of edges between `vertex_count` vertices, in the order of their numbers.
-/// Each begins at the side of its edge in `first_edges`, of two there the one where the face runs M
-/// to N; without them at its edge of the smallest number. The marks are not read. Linear time and
-/// memory.
+/// Returns the faces of a table of edges between `vertex_count` vertices, in the order of their
+/// numbers.
 ///
-/// From the edges and the first edges of [`WingedEdges::new`](super::WingedEdges::new) come the
-/// faces that it was given, corner for corner.
+/// Each face begins at its edge in `first_edges`. If both sides of that edge belong to the face, it
+/// begins at the side that runs from M to N. Without `first_edges` it begins at its edge with the
+/// smallest number. The marks are not read. Linear time and memory.
+///
+/// Edges and first edges of [`WingedEdges::new`](super::WingedEdges::new) give back the original
+/// faces, corner for corner.
 ///
 /// # Errors
-/// [`Error::BadWings`] with the first edge whose record fits no mesh; [`Error::FaceTooSmall`];
-/// [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::BadWings`] with the first edge whose record does not belong to a mesh;
+/// [`Error::FaceTooSmall`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn faces(
     edges: &[WingedEdge],
     vertex_count: usize,
@@ -68,7 +70,7 @@ pub fn faces(
     let mut face_count = 0;
     for (i, edge) in edges.iter().enumerate() {
         checking.step_every(REPORT_INTERVAL, i, edges.len(), "reading edges")?;
-        if let Some(why) = unfit(edge, edges.len(), vertex_count) {
+        if let Some(why) = invalid_reason(edge, edges.len(), vertex_count) {
             return bad(i, why);
         }
         let named = sides(edge).map(|side| if side.face == NONE { 0 } else { side.face as usize + 1 });
@@ -94,19 +96,20 @@ pub fn faces(
         let mut at = start;
         for step in 1..=size {
             let side = sides(&edges[at.0 as usize])[at.1];
-            // The mesh has the cycles of counter-clockwise faces the other way round.
+            // The faces of the mesh run in the opposite direction if they are counter-clockwise.
             let (corner, next) = match winding {
-                Winding::Clockwise => (side.from, goes_on(edges, at)),
-                Winding::CounterClockwise => (side.to, comes_from(edges, at)),
+                Winding::Clockwise => (side.from, next_side(edges, at)),
+                Winding::CounterClockwise => (side.to, previous_side(edges, at)),
             };
             found.corners.push(corner);
             found.edges.push(at.0);
             let Some(next) = next else {
-                return bad(at.0 as usize, "it has a wing that does not lie next to it along its face");
+                return bad(at.0 as usize, "it has a wing that is not next to it along its face");
             };
-            // Who comes home first after as many steps as there are sides has passed each once.
+            // A walk that returns to the start for the first time after `size` steps has passed
+            // each side once.
             if (next == start) != (step == size) {
-                return bad(at.0 as usize, "the wings of its face do not make one cycle");
+                return bad(at.0 as usize, "the wings of its face do not form one cycle");
             }
             at = next;
         }
@@ -116,8 +119,8 @@ pub fn faces(
     Ok(found)
 }
 
-/// Why a record alone fits no mesh.
-fn unfit(edge: &WingedEdge, edge_count: usize, vertex_count: usize) -> Option<&'static str> {
+/// Returns the reason why a record by itself is invalid.
+fn invalid_reason(edge: &WingedEdge, edge_count: usize, vertex_count: usize) -> Option<&'static str> {
     let exists = |wing: u32| (wing as usize) < edge_count;
     if [edge.m, edge.n].iter().any(|&v| v as usize >= vertex_count) {
         return Some("it ends at a vertex that does not exist");
@@ -131,22 +134,22 @@ fn unfit(edge: &WingedEdge, edge_count: usize, vertex_count: usize) -> Option<&'
             NONE if wings != [NONE; 2] => return Some("it has a wing on a side that has no face"),
             NONE => {}
             _ if !wings.into_iter().all(exists) => return Some("it has a wing that does not exist"),
-            // Faces have three sides or more.
-            face if face as usize >= edge_count => return Some("its face has a number that so few edges cannot have"),
+            // Every face has at least three sides, so there are fewer faces than edges.
+            face if face as usize >= edge_count => return Some("its face number is too large for the number of edges"),
             _ => {}
         }
     }
     None
 }
 
-/// Where each face begins: an edge, and the place of its side in [`sides`].
+/// Returns the first side of each face: an edge, and the index of its side in [`sides`].
 fn starts(
     edges: &[WingedEdge],
     face_count: usize,
     first_edges: Option<&[u32]>,
     winding: Winding,
 ) -> Result<Vec<(u32, usize)>> {
-    // The side where a face of the mesh runs M to N, and the other.
+    // First the side on which a face of the mesh runs from M to N, then the other side.
     let order = match winding {
         Winding::Clockwise => [0, 1],
         Winding::CounterClockwise => [1, 0],
@@ -175,13 +178,13 @@ fn starts(
         if edge as usize >= edges.len() {
             return Err(Error::BadWings {
                 edge: edge.into(),
-                why: "it is to be the first of a face, and does not exist",
+                why: "it is given as the first edge of a face, but does not exist",
             });
         }
         let Some(start) = at(edge, face as u32) else {
             return Err(Error::BadWings {
                 edge: edge.into(),
-                why: "it is to be the first of a face that is not beside it",
+                why: "it is given as the first edge of a face that it does not border",
             });
         };
         starts.push(start);
@@ -189,8 +192,8 @@ fn starts(
     Ok(starts)
 }
 
-/// The side after a side along its face, if its wing says so and lies there.
-fn goes_on(edges: &[WingedEdge], (edge, k): (u32, usize)) -> Option<(u32, usize)> {
+/// Returns the side that follows a side along its face, if the wings agree.
+fn next_side(edges: &[WingedEdge], (edge, k): (u32, usize)) -> Option<(u32, usize)> {
     let side = sides(&edges[edge as usize])[k];
     let next = sides(&edges[side.after as usize]);
     (0..2)
@@ -198,8 +201,8 @@ fn goes_on(edges: &[WingedEdge], (edge, k): (u32, usize)) -> Option<(u32, usize)
         .map(|j| (side.after, j))
 }
 
-/// The side before it.
-fn comes_from(edges: &[WingedEdge], (edge, k): (u32, usize)) -> Option<(u32, usize)> {
+/// Returns the side that precedes a side along its face, if the wings agree.
+fn previous_side(edges: &[WingedEdge], (edge, k): (u32, usize)) -> Option<(u32, usize)> {
     let side = sides(&edges[edge as usize])[k];
     let last = sides(&edges[side.before as usize]);
     (0..2)

@@ -1,11 +1,10 @@
-//! Algorithm 1 on the tables, as in the paper, with its errors corrected.
+//! Algorithm 1 of the paper on the tables, with its errors corrected.
 //!
-//! The paper's criterion for a free edge, (3), is printed as "L and R are NULL"; its text
-//! requires exactly one. From a free edge the walk continues with the next one at the vertex
-//! reached, until it returns. Here the next edge is found through the wings, from face to face
-//! round the vertex, so that a walk cannot leave its fan at a bow-tie, cannot turn back, and
-//! terminates. It starts in the direction with the surface on the left, and is cut into simple
-//! loops.
+//! The paper's criterion (3) for a free edge is printed as "L and R are NULL"; its text requires
+//! exactly one. From a free edge the walk continues with the next one at the vertex reached, until
+//! it returns. Here the next edge is found through the wings, from face to face around the vertex.
+//! So a walk cannot leave its fan at a bow-tie, cannot turn back, and terminates. It starts in the
+//! direction with the surface on the left, and is cut into simple loops.
 
 use super::tables::{EdgeMarks, WingedEdge, WingedEdges};
 use crate::boundary::split_simple;
@@ -15,24 +14,24 @@ use gusset_base::job::Job;
 use gusset_base::sort;
 use gusset_mesh::NONE;
 
-/// Edges between two progress reports.
+/// Number of edges between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 18;
 
 const STAGE: &str = "walking along the boundary";
 
-/// Simple closed loops of free edges, surface on the left.
+/// Simple closed loops of free edges, with the surface on the left.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct FreeLoops {
     /// The vertices, loop after loop.
     pub vertices: Vec<u32>,
     /// The edges: edge i starts at vertex i.
     pub edges: Vec<u32>,
-    /// Where each loop starts in both; one entry more than there are loops.
+    /// The start of each loop in both lists, and the total length.
     pub offsets: Vec<u32>,
 }
 
 impl FreeLoops {
-    /// The vertices and the edges of each loop.
+    /// Returns the vertices and the edges of each loop.
     pub fn iter(&self) -> impl Iterator<Item = (&[u32], &[u32])> {
         self.offsets.windows(2).map(|w| {
             let range = w[0] as usize..w[1] as usize;
@@ -45,16 +44,16 @@ impl FreeLoops {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Step {
     edge: u32,
-    /// From M to N, with L on the left; else from N to M, with R on the left.
+    /// True from M to N, with L on the left; false from N to M, with R on the left.
     forward: bool,
 }
 
-/// Every loop of free edges, in the order of their smallest edges, from which each starts. O(number
-/// of edges + the fans along the boundary).
+/// Returns every loop of free edges, in the order of their smallest edges, from which each starts.
+/// O(number of edges + the fans along the boundary).
 ///
-/// An edge with several records has a border along each of them, as
-/// [`NonManifold::Cut`](crate::boundary::NonManifold::Cut) has it; so has, here, an edge whose
-/// faces disagree in orientation. Walks start from edges without such marks.
+/// An edge with several records has a border along each of them, as with
+/// [`NonManifold::Cut`](crate::boundary::NonManifold::Cut). Here this includes edges whose faces
+/// have inconsistent orientations. Walks start from edges without marks.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
@@ -112,31 +111,31 @@ pub fn free_loops(tables: &WingedEdges, job: &Job<'_>) -> Result<FreeLoops> {
     Ok(found)
 }
 
-/// Criterion (3), as the text has it: exactly one side is NULL.
+/// Criterion (3) according to the text: exactly one side is NULL.
 fn is_free(edge: &WingedEdge) -> bool {
     (edge.left == NONE) != (edge.right == NONE) && edge.marks & EdgeMarks::DEGENERATE == 0
 }
 
-/// The free edge that follows `step` at the vertex `v` that it arrives at.
+/// Returns the free edge that follows `step` at the vertex `v` where it arrives.
 ///
-/// The face on the step's left has, before the step's edge, another edge that arrives at v: the
-/// wing c or d. If nothing lies behind that edge it is the next one, left from v; else the face
-/// behind it is next. An edge with one face that is its own wing cannot occur: a face has three
-/// proper edges.
+/// In the face on the step's left, another edge that arrives at v precedes the step's edge: the
+/// wing c or d. If that edge lacks a face on its other side, it is the next edge, leaving v.
+/// Otherwise the walk continues in that face. An edge with one face cannot be its own wing, because
+/// a face has three proper edges.
 fn next_free(tables: &WingedEdges, step: Step, v: u32) -> Step {
     let mut at = &tables.edges()[step.edge as usize];
     let mut forward = step.forward;
     loop {
-        // The face: L if the edge was reached running forward, else R.
+        // The face is L if the edge was reached running forward, otherwise R.
         let mut wing = if forward { at.c } else { at.d };
         at = &tables.edges()[wing as usize];
-        // Edges without length lie within the face: pass over them.
+        // Skip degenerate edges, which lie within the face.
         while at.marks & EdgeMarks::DEGENERATE != 0 {
             wing = if at.left != NONE { at.c } else { at.d };
             at = &tables.edges()[wing as usize];
         }
-        // The wing arrives at v; behind it lies L if it ends there, which runs it from N to M, else
-        // R.
+        // The wing arrives at v. If it ends there, L is on its other side and runs it from N to M;
+        // otherwise R is.
         let ends_here = at.n == v;
         let behind = if ends_here { at.left } else { at.right };
         if behind == NONE {

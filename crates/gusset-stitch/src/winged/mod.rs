@@ -1,17 +1,17 @@
-//! Winged-edge tables: Baumgart's representation, as the stitching paper has it, and its algorithm
-//! 1 on them.
+//! Winged-edge tables: Baumgart's representation as in the stitching paper, and algorithm 1 on
+//! them.
 //!
 //! Source: S. Nesterenko, *The algorithm for polygonal networks of cross-linking*, equations 1 and
 //! 2, after B. Baumgart, *Winged edge polyhedron representation* (Stanford, 1972). An edge is a
-//! record M, N, b, c, d, e, L, R: it runs from vertex M to vertex N, has face R on its right and L
-//! on its left, and four neighbours, the wings. In Baumgart's convention faces are **clockwise**
-//! seen from outside. R is the face that runs M to N: d comes before the edge in it, and b after. L
-//! runs N to M: c comes before and e after. What is missing is NULL, here
+//! record M, N, b, c, d, e, L, R. It runs from vertex M to vertex N, with face R on its right, face
+//! L on its left, and four neighbours, the wings. In Baumgart's convention faces are **clockwise**
+//! seen from outside. R runs the edge from M to N; d precedes the edge in R, and b follows it. L
+//! runs it from N to M; c precedes it in L, and e follows it. Missing entries are NULL, here
 //! [`NONE`](gusset_mesh::NONE).
 //!
-//! * [`tables`](self): the tables, and how they are filled from a mesh.
+//! * [`tables`](self): the tables, and their construction from a mesh.
 //! * [`free_loops`](self): algorithm 1 on the tables.
-//! * [`faces`](self): the polygons of a table, the way back.
+//! * [`faces`](self): the polygons of a table.
 
 mod faces;
 mod free_loops;

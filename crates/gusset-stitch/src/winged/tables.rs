@@ -1,26 +1,27 @@
-//! The tables, filled from the pairing of half-edges. Linear time and memory.
+//! The tables, built from paired half-edges. Linear time and memory.
 
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_mesh::{MeshView, NONE, Opposite, Topology};
 
-/// How the faces of the mesh run, seen from outside.
+/// The orientation of the mesh's faces, seen from outside.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Winding {
-    /// Counter-clockwise, as modern libraries have it. The tables take each face's cycle backwards,
-    /// so that they keep Baumgart's convention, and L is on the left of somebody who walks on the
-    /// outside from M to N.
+    /// Counter-clockwise, the modern convention. The tables reverse each face's cycle to keep
+    /// Baumgart's convention. L is then on the left of an observer who walks on the outside from M
+    /// to N.
     #[default]
     CounterClockwise,
-    /// Clockwise, as Baumgart has it.
+    /// Clockwise, Baumgart's convention.
     Clockwise,
 }
 
-/// One edge, equation 2; [`NONE`] is NULL. It runs from the vertex M to N; the face L runs N to M,
-/// and R runs M to N. In R the edge after this one is b, which leaves N, and the one before it d,
-/// which arrives at M; in L the one before it is c, which arrives at N, and the one after it e,
-/// which leaves M.
+/// One edge, equation 2; [`NONE`] is NULL.
+///
+/// The edge runs from vertex M to N. Face R runs it from M to N: in R, b follows it and leaves N,
+/// and d precedes it and arrives at M. Face L runs it from N to M: in L, c precedes it and arrives
+/// at N, and e follows it and leaves M.
 #[allow(missing_docs, reason = "the paper's letters, explained above")]
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
@@ -33,11 +34,11 @@ pub struct WingedEdge {
     pub e: u32,
     pub left: u32,
     pub right: u32,
-    /// [`EdgeMarks`].
+    /// The [`EdgeMarks`] of the edge.
     pub marks: u32,
 }
 
-/// What is unusual about an edge; a set of bits.
+/// Properties of an edge, as a set of bits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct EdgeMarks(pub u32);
 
@@ -46,12 +47,11 @@ impl EdgeMarks {
     pub const NON_MANIFOLD: u32 = 1;
     /// One of two records of an edge whose faces run it in the same direction; each has one face.
     pub const NOT_ORIENTED: u32 = 2;
-    /// It has no length in the connectivity (M = N), or belongs to a face of fewer than three
-    /// proper edges.
+    /// The edge has equal ends (M = N), or belongs to a face with fewer than three proper edges.
     pub const DEGENERATE: u32 = 4;
 }
 
-/// The edge table of a mesh, and ways into it.
+/// The edge table of a mesh, and its index tables.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WingedEdges {
     edges: Vec<WingedEdge>,
@@ -60,12 +60,12 @@ pub struct WingedEdges {
     of_vertex: Vec<u32>,
 }
 
-/// Faces between two progress reports.
+/// Number of faces between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;
 
 impl WingedEdges {
-    /// Fills the tables. O(H log d) for H half-edges and vertices of degree d; extra memory: that
-    /// of [`Topology`].
+    /// Builds the tables. O(H log d) for H half-edges and vertices of degree d; extra memory as for
+    /// [`Topology`].
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
@@ -92,28 +92,27 @@ impl WingedEdges {
         Ok(tables)
     }
 
-    /// The edges in the order of their first half-edges; M is the vertex where that half-edge
-    /// starts.
+    /// Returns the edges in the order of their first half-edges, which start at M.
     pub fn edges(&self) -> &[WingedEdge] {
         &self.edges
     }
 
-    /// Per half-edge (corner), its edge.
+    /// Returns the edge of each half-edge (corner).
     pub fn edge_of_half_edge(&self) -> &[u32] {
         &self.of_half_edge
     }
 
-    /// Per face, its first edge.
+    /// Returns the first edge of each face.
     pub fn edge_of_face(&self) -> &[u32] {
         &self.of_face
     }
 
-    /// Per vertex, an edge at it, or [`NONE`].
+    /// Returns an edge at each vertex, or [`NONE`].
     pub fn edge_of_vertex(&self) -> &[u32] {
         &self.of_vertex
     }
 
-    /// Gives every half-edge of face `f` its edge, a new one where its mate has none yet.
+    /// Assigns an edge to every half-edge of face `f`, a new one if the mate has none yet.
     fn number_edges(&mut self, mesh: &MeshView<'_>, f: usize, topology: &Topology) -> Result<()> {
         let range = mesh.faces().range(f);
         let mut ends = mesh.face(f).cycle();
@@ -143,7 +142,7 @@ impl WingedEdges {
         Ok(())
     }
 
-    /// Enters face `f` into the edges along it.
+    /// Adds face `f` to the edges along it.
     fn fill_wings(&mut self, mesh: &MeshView<'_>, f: usize, winding: Winding) {
         let range = mesh.faces().range(f);
         let cycle = &self.of_half_edge[range.clone()];
@@ -151,14 +150,14 @@ impl WingedEdges {
             let before = cycle[(i + cycle.len() - 1) % cycle.len()];
             let after = cycle[(i + 1) % cycle.len()];
             let edge = &mut self.edges[cycle[i] as usize];
-            // The face as it is stored runs M to N: a mate runs the edge the other way and starts
-            // elsewhere.
+            // The stored face runs from M to N. A mate runs the edge in the opposite direction, and
+            // starts at N.
             let forward = v == edge.m;
             let f = f as u32;
             match (winding, forward) {
                 (Winding::Clockwise, true) => (edge.right, edge.d, edge.b) = (f, before, after),
                 (Winding::Clockwise, false) => (edge.left, edge.c, edge.e) = (f, before, after),
-                // Taken backwards: what comes after in the mesh comes before in the tables.
+                // Reversed: the next edge in the mesh precedes in the tables.
                 (Winding::CounterClockwise, true) => (edge.left, edge.e, edge.c) = (f, before, after),
                 (Winding::CounterClockwise, false) => (edge.right, edge.b, edge.d) = (f, before, after),
             }
@@ -166,7 +165,7 @@ impl WingedEdges {
     }
 }
 
-/// The half-edge that shares the record of `h`, and the record's marks.
+/// Returns the half-edge that shares the record of `h`, and the record's marks.
 fn mate(mesh: &MeshView<'_>, topology: &Topology, h: u32) -> (Option<u32>, u32) {
     if topology.is_ignored(h) {
         return (None, EdgeMarks::DEGENERATE);

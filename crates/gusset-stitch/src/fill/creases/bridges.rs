@@ -1,4 +1,4 @@
-//! The curves along which creases go on across a hole.
+//! Curves that continue creases across a hole.
 
 use super::super::patch_rim::Rim;
 use super::curve::{Curve, tangent};
@@ -8,15 +8,16 @@ use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
-/// Without new vertices a chord takes the place of a curve that is no further from it, in chords.
+/// Without new vertices, a chord replaces a curve that deviates at most this far from it, relative
+/// to the chord's length.
 const MAX_PLAIN_SAG: f64 = 0.1;
 
-/// The way from the tip of an end across the hole to that of another.
+/// The path from the tip of one crease end across the hole to the tip of another.
 pub(super) struct Bridge {
     pub(super) to: usize,
-    /// The curve that begins here.
+    /// The curve that begins at this end.
     pub(super) curve: u32,
-    /// The vertices between, each with the one or two curves that it is on.
+    /// The inner vertices, each with the one or two curves that it lies on.
     pub(super) inner: Vec<(u32, [u32; 2])>,
 }
 
@@ -25,7 +26,7 @@ pub(super) struct Bridges<'a> {
     rim: &'a Rim,
     ends: &'a [End],
     pub(super) points: Vec<DVec3>,
-    /// From each end.
+    /// The bridge that starts at each crease end.
     pub(super) bridges: Vec<Option<Bridge>>,
     curves: u32,
 }
@@ -40,20 +41,21 @@ impl<'a> Bridges<'a> {
         self.rim.points[self.ends[end].tip]
     }
 
-    /// How long the pieces of a curve are that leaves an end: as the edges there.
+    /// Returns the length of a curve's pieces near an end: the mean length of the edges there.
     fn spacing(&self, end: usize) -> f64 {
         let (n, tip) = (self.rim.count, self.ends[end].tip);
         let around = [self.ends[end].from, self.rim.points[(tip + 1) % n], self.rim.points[(tip + n - 1) % n]];
         around.iter().map(|p| p.distance(self.tip(end)) / 3.0).sum()
     }
 
-    /// How many pieces a curve gets: no more than the rim has edges, however short some of them are.
+    /// Returns the number of pieces of a curve: at most the number of rim edges, even if some are
+    /// very short.
     fn pieces(&self, curve: &Curve, spacing: f64, limit: usize) -> usize {
         let most = limit.min(self.rim.count) as f64 + 1.0;
         ((curve.length() / spacing).round().min(most) as usize).max(1)
     }
 
-    /// Names points along a curve.
+    /// Adds inner points of a curve, and returns their vertex numbers.
     fn add(&mut self, inner: &[DVec3]) -> Result<Vec<(u32, [u32; 2])>> {
         let first = (self.rim.count + self.points.len()) as u32;
         let curve = self.curves;
@@ -62,7 +64,7 @@ impl<'a> Bridges<'a> {
         alloc::collect((first..first + inner.len() as u32).map(|name| (name, [curve; 2])))
     }
 
-    /// Joins two ends, if a chord may do where no vertices are allowed.
+    /// Joins two ends by a curve. Without new vertices, joins them only if a chord is close enough.
     pub(super) fn join(
         &mut self,
         [i, j]: [usize; 2],
@@ -90,8 +92,8 @@ impl<'a> Bridges<'a> {
         Ok(())
     }
 
-    /// Has ends, in the order of the rim, meet in a point.
-    pub(super) fn meet(&mut self, centre: DVec3, arms: &[usize], limit: usize) -> Result<()> {
+    /// Joins ends, given in the order of the rim, at a common point.
+    pub(super) fn join_at(&mut self, centre: DVec3, arms: &[usize], limit: usize) -> Result<()> {
         let first = self.curves;
         let mut inner = alloc::with_capacity(arms.len())?;
         for &arm in arms {
@@ -103,7 +105,8 @@ impl<'a> Bridges<'a> {
         }
         let name = (self.rim.count + self.points.len()) as u32;
         alloc::push(&mut self.points, centre)?;
-        // From each to the one before it: with the rim between them they enclose a part.
+        // Each bridge leads from an arm to the arm before it: with the rim between them it encloses
+        // a part.
         for (k, &arm) in arms.iter().enumerate() {
             let before = (k + arms.len() - 1) % arms.len();
             let mut way = alloc::copied(&inner[k])?;

@@ -1,20 +1,21 @@
-//! The curve along which a crease goes on.
+//! The curve that continues a crease.
 
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
-/// Pieces in which the length of a curve is measured.
-const PIECES: usize = 16;
+/// Number of pieces for measuring the length of a curve.
+const LENGTH_PIECES: usize = 16;
 
 /// The angle between two vectors, in radians; 0 if one is 0.
 pub(super) fn angle(u: DVec3, v: DVec3) -> f64 {
     libm::atan2(u.cross(v).length(), u.dot(v))
 }
 
-/// The unit tangent in `at` of the circle through three points, towards the last one.
-pub(super) fn tangent(before: DVec3, at: DVec3, to: DVec3) -> DVec3 {
-    let (arrives, leaves) = (at - before, to - at);
+/// Returns the unit tangent at the second of three points of the circle through them, towards the
+/// third.
+pub(super) fn tangent(before: DVec3, point: DVec3, to: DVec3) -> DVec3 {
+    let (arrives, leaves) = (point - before, to - point);
     (arrives.normalize_or_zero() * leaves.length() + leaves.normalize_or_zero() * arrives.length()).normalize_or_zero()
 }
 
@@ -22,8 +23,8 @@ pub(super) fn tangent(before: DVec3, at: DVec3, to: DVec3) -> DVec3 {
 pub(super) struct Curve([DVec3; 4]);
 
 impl Curve {
-    /// Between two points, with unit tangents there that point along the curve from either end. With
-    /// equal angles to the chord its middle is that of the circle's arc.
+    /// Creates the curve between two points with unit tangents that point inwards along the curve.
+    /// If both tangents make the same angle with the chord, the midpoint lies on the circular arc.
     pub(super) fn new([p, q]: [DVec3; 2], tangents: [DVec3; 2]) -> Curve {
         let (length, chord) = (p.distance(q), (q - p).normalize_or_zero());
         let handle =
@@ -31,36 +32,36 @@ impl Curve {
         Curve([p, p + handle(tangents[0], chord), q + handle(tangents[1], -chord), q])
     }
 
-    /// With a tangent at the first point only: symmetric.
+    /// Creates a symmetric curve from the tangent at the first point.
     pub(super) fn arc([p, q]: [DVec3; 2], tangent: DVec3) -> Curve {
         let chord = (q - p).normalize_or_zero();
         Curve::new([p, q], [tangent, tangent - 2.0 * tangent.dot(chord) * chord])
     }
 
-    fn at(&self, t: f64) -> DVec3 {
+    fn point(&self, t: f64) -> DVec3 {
         let Curve([p, q, r, s]) = *self;
         let u = 1.0 - t;
         p * (u * u * u) + q * (3.0 * u * u * t) + r * (3.0 * u * t * t) + s * (t * t * t)
     }
 
     fn points(&self, pieces: usize) -> impl Iterator<Item = DVec3> + '_ {
-        (0..=pieces).map(move |k| self.at(k as f64 / pieces as f64))
+        (0..=pieces).map(move |k| self.point(k as f64 / pieces as f64))
     }
 
     pub(super) fn length(&self) -> f64 {
-        self.points(PIECES).zip(self.points(PIECES).skip(1)).map(|(p, q)| p.distance(q)).sum()
+        self.points(LENGTH_PIECES).zip(self.points(LENGTH_PIECES).skip(1)).map(|(p, q)| p.distance(q)).sum()
     }
 
-    /// How far it is from its chord, in chords.
+    /// Returns the largest distance from the chord, relative to the chord's length.
     pub(super) fn sag(&self) -> f64 {
         let Curve([p, _, _, q]) = *self;
         let chord = q - p;
         let off = |r: DVec3| (r - p).cross(chord).length() / chord.length_squared();
-        self.points(PIECES).map(off).fold(0.0, f64::max)
+        self.points(LENGTH_PIECES).map(off).fold(0.0, f64::max)
     }
 
-    /// The points between so many pieces.
+    /// Returns the inner points that divide the curve into `pieces`.
     pub(super) fn inner(&self, pieces: usize) -> Result<Vec<DVec3>> {
-        alloc::collect((1..pieces).map(|k| self.at(k as f64 / pieces as f64)))
+        alloc::collect((1..pieces).map(|k| self.point(k as f64 / pieces as f64)))
     }
 }

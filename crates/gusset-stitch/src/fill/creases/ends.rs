@@ -1,4 +1,4 @@
-//! Where creases of the old surface end on a rim.
+//! Ends of the old surface's creases on a rim.
 
 use super::super::patch_rim::Rim;
 use super::curve::angle;
@@ -9,58 +9,61 @@ use gusset_base::error::Result;
 use gusset_base::sort;
 use gusset_base::sort::{Buckets, select};
 
-/// An old edge is sharp if its faces' normals differ by this angle at least, in radians, ...
+/// An old edge is sharp if the normals of its faces differ by at least this angle, in radians ...
 const MIN_BEND: f64 = 0.6;
-/// ... and by so many times what half of the old edges that end on the rim do not exceed, ...
+/// ... and by at least this multiple of the median over the old edges that end on the rim.
 const MIN_CONTRAST: f64 = 6.0;
-/// ... and others at the same vertex are sharp, too, if they bend by more than this part of it.
-const MAX_SECOND: f64 = 0.5;
-/// The rim follows a crease along edges that turn by less: the cosine.
+/// An edge is also sharp if it bends by more than this fraction of the sharpest edge at the same
+/// vertex.
+const MIN_SECOND_RATIO: f64 = 0.5;
+/// The rim follows a crease along edges that turn by less than this angle, given as its cosine, ...
 const MIN_FOLLOWING: f64 = 0.9;
-/// And by less than this angle as a whole: the cosine.
-const MIN_FOLLOWING_IN_ALL: f64 = 0.75;
-/// The surfaces on the hole's side of both ends of a touch differ by less than this angle.
+/// ... and by less than this angle from the crease's last edge, given as its cosine.
+const MIN_TOTAL_FOLLOWING: f64 = 0.75;
+/// Largest angle between the surfaces on the hole's side at the two ends of a touch, in radians.
 const MAX_MISFIT: f64 = 0.7;
 
 /// The end of a crease on a rim.
 pub(super) struct End {
-    /// The rim's vertex where the last old edge of the crease inside the surface ends.
+    /// The rim vertex at which the crease's last edge inside the surface ends.
     pub(super) base: usize,
-    /// So many edges of the rim follow the crease from there: forwards, or, if negative, backwards.
-    pub(super) along: isize,
-    /// Where the crease leaves the rim: the base, or the vertex at the end of these edges.
+    /// Number of rim edges that follow the crease from the base; negative if they run backwards.
+    pub(super) following: isize,
+    /// The rim vertex at which the crease leaves the rim; the base if the rim does not follow the
+    /// crease.
     pub(super) tip: usize,
     /// The crease's vertex before the tip.
     pub(super) from: DVec3,
-    /// The unit vector from there to the tip.
+    /// The unit vector from `from` to the tip.
     pub(super) direction: DVec3,
-    /// The old triangles at the base on either side of the crease: beside the rim's edge that ends
-    /// there, and beside that which begins there.
+    /// The old triangles at the base on the two sides of the crease. The first side is beside the
+    /// rim edge that ends at the base, the second beside the rim edge that begins there.
     pub(super) sides: [Vec<u32>; 2],
-    /// The surface's unit normals on these sides.
+    /// The unit normals of the surface on these sides.
     pub(super) normals: [DVec3; 2],
 }
 
 impl End {
-    /// Positive where the surface is convex, seen from outside, or negative; of all ends alike.
+    /// Returns a positive value for a convex crease, or a negative value; the same sign convention
+    /// for all ends.
     pub(super) fn convexity(&self) -> f64 {
         self.normals[1].cross(self.normals[0]).dot(self.direction)
     }
 
-    /// The vertices of a rim of `count` along which the crease goes, from the base to the tip or
-    /// from the tip to the base.
+    /// Returns the vertices of a rim of `count` vertices along which the crease runs, in rim order.
     pub(super) fn vertices(&self, count: usize) -> impl Iterator<Item = usize> + use<> {
-        let first = if self.along < 0 { self.tip } else { self.base };
-        (0..=self.along.unsigned_abs()).map(move |k| (first + k) % count)
+        let first = if self.following < 0 { self.tip } else { self.base };
+        (0..=self.following.unsigned_abs()).map(move |k| (first + k) % count)
     }
 }
 
-/// A stretch of a rim that follows a crease which does not go into the hole.
+/// A run of rim edges along a crease that does not continue into the hole.
 pub(super) struct Touch {
-    /// From this vertex so many edges on; none where the crease only touches the rim.
+    /// The run starts at this vertex and has this number of edges; 0 if the crease only touches the
+    /// rim.
     pub(super) first: usize,
     pub(super) edges: usize,
-    /// The old triangles on the hole's side of the crease at the first vertex and at the last.
+    /// The old triangles on the hole's side of the crease, at the first and at the last vertex.
     pub(super) sides: [Vec<u32>; 2],
 }
 
@@ -80,9 +83,9 @@ pub(super) fn corners(rim: &Rim) -> Result<Corners> {
     Buckets::new(rim.count, (0, 0, 0), at_rim)
 }
 
-/// The ends on a rim, in the order of their tips, and its touches; they have no vertex in common.
-/// O(n) for n triangles.
-pub(super) fn ends(rim: &Rim, corners: &Corners) -> Result<(Vec<End>, Vec<Touch>)> {
+/// Finds the crease ends on a rim, ordered by their tips, and the touches. No two of them share a
+/// vertex. O(n) for n triangles.
+pub(super) fn find_ends(rim: &Rim, corners: &Corners) -> Result<(Vec<End>, Vec<Touch>)> {
     let mut bends = Vec::new();
     let mut sharpest = Vec::new();
     for v in 0..rim.count {
@@ -98,29 +101,30 @@ pub(super) fn ends(rim: &Rim, corners: &Corners) -> Result<(Vec<End>, Vec<Touch>
     let (mut ends, mut touches) = (Vec::new(), Vec::new());
     for (base, most, own, fan) in sharpest.into_iter().filter(|&(_, most, _, _)| most >= MIN_CONTRAST * usual) {
         let own = &bends[own];
-        let sharp = || (0..own.len()).filter(|&k| own[k] > MAX_SECOND * most);
+        let sharp = || (0..own.len()).filter(|&k| own[k] > MIN_SECOND_RATIO * most);
         let (Some(first), Some(last)) = (sharp().next(), sharp().next_back()) else {
             continue;
         };
         match sharp().count() {
-            1 => alloc::push(&mut ends, end(rim, base, first, &fan)?)?,
-            2 => corner(rim, base, [&fan[last + 1..], &fan[..=first]], &mut ends, &mut touches)?,
+            1 => alloc::push(&mut ends, crease_end(rim, base, first, &fan)?)?,
+            2 => add_corner(rim, base, [&fan[last + 1..], &fan[..=first]], &mut ends, &mut touches)?,
             _ => {}
         }
     }
-    let ends = paired(ends, &mut touches, rim.count)?;
-    apart(ends, touches, rim.count)
+    let ends = extract_touches(ends, &mut touches, rim.count)?;
+    without_shared_vertices(ends, touches, rim.count)
 }
 
-/// Makes touches of ends between which the rim follows a crease, and returns the others.
-fn paired(ends: Vec<End>, touches: &mut Vec<Touch>, count: usize) -> Result<Vec<End>> {
+/// Turns each pair of ends between which the rim follows a crease into a touch. Returns the other
+/// ends.
+fn extract_touches(ends: Vec<End>, touches: &mut Vec<Touch>, count: usize) -> Result<Vec<End>> {
     let mut used = alloc::filled(false, ends.len())?;
-    // In the order of their bases.
+    // The ends are in the order of their bases.
     for i in 0..ends.len() {
         let j = (i + 1) % ends.len();
         let (a, b) = (&ends[i], &ends[j]);
         let edges = (b.base + count - a.base) % count;
-        let reaches = a.along >= edges as isize || -b.along >= edges as isize;
+        let reaches = a.following >= edges as isize || -b.following >= edges as isize;
         let fits = || angle(a.normals[0], b.normals[1]) < MAX_MISFIT && a.convexity() * b.convexity() > 0.0;
         if i != j && reaches && !used[i] && !used[j] && fits() {
             (used[i], used[j]) = (true, true);
@@ -142,8 +146,9 @@ fn median(values: &[f64]) -> Result<f64> {
     Ok(values[numbers[middle] as usize])
 }
 
-/// The triangles round a vertex, from the rim's edge that begins there to that which ends there, each
-/// with the vertex that it shares with the next; none if they are no fan, or too many.
+/// Returns the triangles around a vertex, from its outgoing to its incoming rim edge. Each comes
+/// with the vertex that it shares with the next. The result is empty if they do not form a fan, or
+/// if the fan has too many triangles.
 fn fan(rim: &Rim, corners: &Corners, v: usize) -> Result<Vec<(u32, u32)>> {
     let own = corners.get(v);
     let [before, after] = [(v + rim.count - 1) % rim.count, (v + 1) % rim.count].map(|v| v as u32);
@@ -165,51 +170,53 @@ fn area(rim: &Rim, t: u32) -> DVec3 {
     (b - a).cross(c - a)
 }
 
-/// By how much two triangles of a fan bend; 0 if one has no direction.
+/// Returns the angle between two triangles of a fan; 0 if one of them is degenerate.
 fn bend(rim: &Rim, pair: &[(u32, u32)]) -> f64 {
     angle(area(rim, pair[0].0), area(rim, pair[1].0))
 }
 
-fn side(rim: &Rim, fan: &[(u32, u32)]) -> Result<(Vec<u32>, DVec3)> {
+fn fan_side(rim: &Rim, fan: &[(u32, u32)]) -> Result<(Vec<u32>, DVec3)> {
     let normal = fan.iter().map(|&(t, _)| area(rim, t)).sum::<DVec3>().normalize_or_zero();
     Ok((alloc::collect(fan.iter().map(|&(t, _)| t))?, normal))
 }
 
-/// A vertex that two creases pass or end in, with the triangles beyond them on either side: if these
-/// bend against each other, another one goes from there along the line where they meet.
-fn corner(
+/// Handles a vertex at which two creases pass or end, with the triangles beyond them on either
+/// side. If these triangles bend against each other, a new crease starts along their line of
+/// intersection.
+fn add_corner(
     rim: &Rim,
     base: usize,
     fans: [&[(u32, u32)]; 2],
     ends: &mut Vec<End>,
     touches: &mut Vec<Touch>,
 ) -> Result<()> {
-    let [(before, n), (after, m)] = [side(rim, fans[0])?, side(rim, fans[1])?];
+    let [(before, n), (after, m)] = [fan_side(rim, fans[0])?, fan_side(rim, fans[1])?];
     let sides = [before, after];
     if angle(n, m) < MIN_BEND {
         return alloc::push(touches, Touch { first: base, edges: 0, sides });
     }
-    let at = rim.points[base];
+    let corner = rim.points[base];
     let centre = rim.points[..rim.count].iter().sum::<DVec3>() / rim.count as f64;
     let line = n.cross(m).normalize_or_zero();
-    let direction = if line.dot(centre - at) < 0.0 { -line } else { line };
-    let from = at - direction * at.distance(rim.points[(base + 1) % rim.count]);
-    alloc::push(ends, End { base, along: 0, tip: base, from, direction, sides, normals: [n, m] })
+    let direction = if line.dot(centre - corner) < 0.0 { -line } else { line };
+    let from = corner - direction * corner.distance(rim.points[(base + 1) % rim.count]);
+    alloc::push(ends, End { base, following: 0, tip: base, from, direction, sides, normals: [n, m] })
 }
 
-/// The end of the crease between the triangles k and k + 1 of a fan.
-fn end(rim: &Rim, base: usize, k: usize, fan: &[(u32, u32)]) -> Result<End> {
+/// Returns the end of the crease between the triangles k and k + 1 of a fan.
+fn crease_end(rim: &Rim, base: usize, k: usize, fan: &[(u32, u32)]) -> Result<End> {
     let (after, before) = fan.split_at(k + 1);
-    let [(before, n), (after, m)] = [side(rim, before)?, side(rim, after)?];
+    let [(before, n), (after, m)] = [fan_side(rim, before)?, fan_side(rim, after)?];
     let from = rim.points[fan[k].1 as usize];
-    let (along, from) = along(rim, base, from);
-    let tip = base.wrapping_add_signed(along + rim.count as isize) % rim.count;
+    let (following, from) = follow_rim(rim, base, from);
+    let tip = base.wrapping_add_signed(following + rim.count as isize) % rim.count;
     let direction = (rim.points[tip] - from).normalize_or_zero();
-    Ok(End { base, along, tip, from, direction, sides: [before, after], normals: [n, m] })
+    Ok(End { base, following, tip, from, direction, sides: [before, after], normals: [n, m] })
 }
 
-/// How far the rim follows a crease that ends at a vertex, and the vertex before the last.
-fn along(rim: &Rim, base: usize, from: DVec3) -> (isize, DVec3) {
+/// Returns the number of rim edges that continue a crease from its base, signed by their direction,
+/// and the crease's vertex before the tip.
+fn follow_rim(rim: &Rim, base: usize, from: DVec3) -> (isize, DVec3) {
     let n = rim.count;
     let at = |by: isize| rim.points[base.wrapping_add_signed(by + n as isize) % n];
     let direction = |p: DVec3, q: DVec3| (q - p).normalize_or_zero();
@@ -219,7 +226,7 @@ fn along(rim: &Rim, base: usize, from: DVec3) -> (isize, DVec3) {
     while steps.unsigned_abs() + 2 < n {
         let (here, next) = (at(steps), at(steps + way));
         let goes = direction(here, next);
-        if direction(last, here).dot(goes) < MIN_FOLLOWING || direction(from, at(0)).dot(goes) < MIN_FOLLOWING_IN_ALL {
+        if direction(last, here).dot(goes) < MIN_FOLLOWING || direction(from, at(0)).dot(goes) < MIN_TOTAL_FOLLOWING {
             break;
         }
         (steps, last) = (steps + way, here);
@@ -227,8 +234,12 @@ fn along(rim: &Rim, base: usize, from: DVec3) -> (isize, DVec3) {
     (steps, last)
 }
 
-/// Those that share no vertex of the rim with others, the ends in the order of their tips.
-fn apart(mut ends: Vec<End>, mut touches: Vec<Touch>, count: usize) -> Result<(Vec<End>, Vec<Touch>)> {
+/// Keeps the ends and touches that share no rim vertex with another. Sorts the ends by their tips.
+fn without_shared_vertices(
+    mut ends: Vec<End>,
+    mut touches: Vec<Touch>,
+    count: usize,
+) -> Result<(Vec<End>, Vec<Touch>)> {
     let mut uses = alloc::filled(0u32, count)?;
     ends.iter().flat_map(|end| end.vertices(count)).for_each(|v| uses[v] += 1);
     touches.iter().flat_map(|touch| touch.vertices(count)).for_each(|v| uses[v] += 1);

@@ -1,10 +1,10 @@
-//! Which ends belong together: two, which a curve joins, or three and more, which meet in a point.
+//! Matches crease ends: a curve joins two ends, and a star joins three or more at a point.
 //!
-//! Of all ways to join them without crossing in the order of the rim, that of least cost. A curve
-//! costs what a thin rod bends, a^2 + a b + b^2 for the turns a and b from its ends to the chord
-//! (an arc's are opposite), and by how much the surfaces beside it disagree; a point costs the
-//! squares of the angles by which the creases miss it, and the same; an end that is left has a
-//! price.
+//! Finds the non-crossing matching of least cost, in the order of the rim. A curve costs the
+//! bending of a thin rod, plus the squared angles between the surfaces beside it. The bending is
+//! a^2 + a b + b^2 for the turns a and b from the end tangents to the chord (opposite for an arc).
+//! A star costs the squared angles by which the creases miss its centre, plus the squared angles
+//! between the surfaces. An unmatched end has a fixed cost.
 
 use super::super::patch_rim::Rim;
 use super::curve::{angle, tangent};
@@ -14,40 +14,40 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::Aabb;
 
-/// More ends than this are no creases.
+/// Largest number of ends that are treated as creases.
 const MAX_ENDS: usize = 24;
-/// Points are looked for among so many ends.
+/// Largest number of ends among which stars are looked for.
 const MAX_ARMS: usize = 12;
-/// What an end costs that stays alone.
-const ALONE: f64 = 0.6;
-/// A curve starts by less than this angle from its chord, in radians.
+/// The cost of an unmatched end.
+const UNMATCHED_COST: f64 = 0.6;
+/// Largest angle between a curve's end tangent and its chord, in radians.
 const MAX_TURN: f64 = 1.3;
-/// The surfaces beside a curve, or between two arms, differ by less than this angle.
+/// Largest angle between the surfaces on the two ends of a curve, or between two arms, in radians.
 const MAX_MISFIT: f64 = 0.7;
-/// A crease misses the point where it ends by less than this angle.
+/// Largest angle by which a crease may miss the centre of its star, in radians.
 const MAX_MISS: f64 = 0.25;
 
-/// Lines of less are parallel.
+/// Lines are parallel if the determinant of their normal matrix is at most this.
 const MIN_DETERMINANT: f64 = 0.02;
 
-/// Rounds of least squares with new weights.
+/// Number of rounds of reweighted least squares.
 const LINE_ROUNDS: u32 = 8;
-/// A line that misses a point by less than this part of its length does not miss it.
+/// A line misses a point only if its distance exceeds this fraction of the distance to its tip.
 const MIN_MISS: f64 = 1e-3;
 
-/// Ends that belong together.
+/// Crease ends that belong together.
 pub(super) enum Join {
     Pair([usize; 2]),
-    /// In the order of the rim.
+    /// The arms are in the order of the rim.
     Star {
         centre: DVec3,
         arms: Vec<usize>,
     },
 }
 
-/// The best way to join ends, which are in the order of the rim. O(m^3), O(m^6) where points are
-/// looked for, for m ends.
-pub(super) fn joins(rim: &Rim, ends: &[End]) -> Result<Vec<Join>> {
+/// Returns the best way to join ends, which are in the order of the rim. For m ends: O(m^3), and
+/// O(m^6) if stars are looked for.
+pub(super) fn match_ends(rim: &Rim, ends: &[End]) -> Result<Vec<Join>> {
     let m = ends.len();
     if !(2..=MAX_ENDS).contains(&m) {
         return Ok(Vec::new());
@@ -58,7 +58,7 @@ pub(super) fn joins(rim: &Rim, ends: &[End]) -> Result<Vec<Join>> {
     }
     let cost = |i: usize, j: usize| costs[i * m + j];
     let all = alloc::collect(0..m)?;
-    let (mut least, pairs) = matching(&all, &cost)?;
+    let (mut least, pairs) = best_matching(&all, &cost)?;
     let mut best = alloc::collect(pairs.into_iter().map(Join::Pair))?;
     if m > MAX_ARMS {
         return Ok(best);
@@ -73,7 +73,7 @@ pub(super) fn joins(rim: &Rim, ends: &[End]) -> Result<Vec<Join>> {
             let gap = (1..m).map(|k| (arm + k) % m).take_while(|&end| end != next);
             let mut gap = alloc::gather(gap)?;
             gap.sort_unstable();
-            let (cost, pairs) = matching(&gap, &cost)?;
+            let (cost, pairs) = best_matching(&gap, &cost)?;
             sum += cost;
             alloc::extend(&mut joins, pairs.into_iter().map(Join::Pair))?;
         }
@@ -89,15 +89,15 @@ fn triples(m: usize) -> impl Iterator<Item = (usize, usize, usize)> {
     (0..m).flat_map(move |i| (i + 1..m).flat_map(move |j| (j + 1..m).map(move |k| (i, j, k))))
 }
 
-/// The pairs of least cost that do not cross, and the cost with that of the ends left alone.
-fn matching(ends: &[usize], cost: &impl Fn(usize, usize) -> f64) -> Result<(f64, Vec<[usize; 2]>)> {
+/// Returns the non-crossing pairs of least cost, and that cost plus the cost of the unmatched ends.
+fn best_matching(ends: &[usize], cost: &impl Fn(usize, usize) -> f64) -> Result<(f64, Vec<[usize; 2]>)> {
     let n = ends.len();
-    // Of the ends from i to k - 1: the least cost, and the partner of i, or i.
+    // For the ends i to k - 1: the least cost, and the partner of i, or i itself.
     let mut cells = alloc::filled((0.0, 0usize), (n + 1) * (n + 1))?;
     let at = |i: usize, k: usize| i * (n + 1) + k;
     for i in (0..n).rev() {
         for k in i + 1..=n {
-            let mut best = (ALONE + cells[at(i + 1, k)].0, i);
+            let mut best = (UNMATCHED_COST + cells[at(i + 1, k)].0, i);
             for j in i + 1..k {
                 let sum = cost(ends[i], ends[j]) + cells[at(i + 1, j)].0 + cells[at(j + 1, k)].0;
                 if sum < best.0 {
@@ -121,7 +121,7 @@ fn matching(ends: &[usize], cost: &impl Fn(usize, usize) -> f64) -> Result<(f64,
     Ok((cells[at(0, n)].0, pairs))
 }
 
-/// The unit vectors in which a curve between two ends leaves them.
+/// Returns the unit end tangents of the curve between two ends, pointing inwards along the curve.
 pub(super) fn tangents(rim: &Rim, [i, j]: [&End; 2]) -> [DVec3; 2] {
     let [p, q] = [i, j].map(|end| rim.points[end.tip]);
     [tangent(i.from, p, q), tangent(j.from, q, p)]
@@ -137,8 +137,8 @@ fn pair_cost(rim: &Rim, i: &End, j: &End) -> f64 {
     if a.length().max(b.length()) > MAX_TURN {
         return f64::INFINITY;
     }
-    // What is after i is before j.
-    let misfits = [(1, 0), (0, 1)].map(|(of, with)| angle(turned(i.normals[of], leaves, arrives), j.normals[with]));
+    // The surface after i continues as the surface before j.
+    let misfits = [(1, 0), (0, 1)].map(|(of, with)| angle(rotate(i.normals[of], leaves, arrives), j.normals[with]));
     let same_side = i.convexity() * j.convexity() > 0.0;
     if !same_side || misfits[0].max(misfits[1]) > MAX_MISFIT {
         return f64::INFINITY;
@@ -146,14 +146,15 @@ fn pair_cost(rim: &Rim, i: &End, j: &End) -> f64 {
     a.length_squared() + a.dot(b) + b.length_squared() + misfits.map(|angle| angle * angle).iter().sum::<f64>()
 }
 
-/// `v` turned as the shortest turn from one unit vector to another does it.
-fn turned(v: DVec3, from: DVec3, to: DVec3) -> DVec3 {
+/// Rotates `v` by the shortest rotation that takes one unit vector to another.
+fn rotate(v: DVec3, from: DVec3, to: DVec3) -> DVec3 {
     let (axis, cosine) = (from.cross(to), from.dot(to));
     v * cosine + axis.cross(v) + axis * (axis.dot(v) / (1.0 + cosine).max(f64::EPSILON))
 }
 
-/// The point that the lines of three ends come nearest to, with all ends that point at it: what that
-/// costs; `None` if it is none.
+/// Returns the cost, the centre and the arms of a star. The centre is the point nearest to the
+/// lines of three ends; the arms are all ends that point at it. Returns `None` if the three ends do
+/// not form a star.
 fn star(rim: &Rim, ends: &[End], three: [usize; 3]) -> Result<Option<(f64, DVec3, Vec<usize>)>> {
     let size = Aabb::from_points(&rim.points[..rim.count]).diagonal();
     let misses = |centre: DVec3, end: &End| {
@@ -179,8 +180,9 @@ fn star(rim: &Rim, ends: &[End], three: [usize; 3]) -> Result<Option<(f64, DVec3
     Ok(Some((cost, centre, arms)))
 }
 
-/// The point of least distance from lines, by reweighted least squares, so that a crease that is
-/// bent does not draw it away from where straight ones meet; `None` if they are parallel.
+/// Returns the point of least distance from the lines of the ends; `None` if they are parallel. The
+/// least squares are reweighted, so that a bent crease does not draw the point away from the
+/// intersection of straight creases.
 fn nearest_to_lines<'a>(rim: &Rim, ends: &(impl Iterator<Item = &'a End> + Clone)) -> Option<DVec3> {
     let mut centre: Option<DVec3> = None;
     for _ in 0..LINE_ROUNDS {

@@ -1,23 +1,24 @@
-//! Creases of the old surface that go on across a hole.
+//! Continuation of the old surface's creases across a hole.
 //!
-//! A crease ends on a rim where one old edge that ends there is sharp, and far sharper than what is
-//! usual round the hole. Ends whose tangents, and the surfaces on either side, go on in each other
-//! are joined by a curve, three or more that point at one place in that place. The curves cut the
-//! hole into parts, each of which is filled by itself: to it the surface beyond a curve is unknown, so
-//! that it continues smoothly what is on its own side, and meets the other parts in a sharp edge.
-//! Where a jagged rim follows a crease for some edges, the curve begins where it leaves it, and where
-//! the crease does not leave it, what is beyond is unknown there, too.
+//! A crease ends on a rim where one old edge is sharp, and far sharper than the median around the
+//! hole. Two ends are joined by a curve if their tangents, and the surfaces on both sides, continue
+//! each other. Three or more ends that point at one place are joined there. The curves cut the hole
+//! into parts, which are filled one by one. A part treats the surface across a curve as unknown: it
+//! continues its own side smoothly, and meets the other parts in a sharp edge. A jagged rim may
+//! follow a crease for some edges: the curve begins where the crease leaves the rim. If the crease
+//! does not leave the rim, the surface beyond it is treated as unknown too.
 //!
-//! Sources: A. Sharf, M. Alexa, D. Cohen-Or, *Context-based surface completion* (2004), for features
-//! first and surfaces between them later; the curve is a cubic with the tangents of the circles
-//! through an end's last edge and the other end, which is exact for creases that are straight or
-//! arcs. Nothing is random; what fits nothing is left, and a rim without ends is filled as before.
+//! Source: A. Sharf, M. Alexa, D. Cohen-Or, *Context-based surface completion* (2004), for filling
+//! features before the surfaces between them. The curve is a cubic. Its end tangents are tangent to
+//! circles, each through the last crease edge of one end and the tip of the other. It reproduces
+//! creases that are straight or circular arcs. Nothing is random. Unmatched ends are ignored, and a
+//! rim without ends is filled as one part.
 //!
 //! | file | subject |
 //! |---|---|
-//! | [`ends`](self) | where creases end on the rim |
-//! | [`joins`](self) | which ends belong together |
-//! | [`curve`](self) | the curve between two |
+//! | [`ends`](self) | crease ends on the rim |
+//! | [`joins`](self) | the matching of crease ends |
+//! | [`curve`](self) | the curve between two ends |
 //! | [`bridges`](self) | the curves across the hole |
 //! | [`parts`](self) | the parts of the hole |
 
@@ -45,25 +46,27 @@ pub(super) struct Division {
     pub(super) parts: Vec<Part>,
 }
 
-/// Cuts a hole along the creases that end on its rim; `None` if none go on, and the rim follows none,
-/// or if it has several loops. `taken`: of two vertices of the rim that must not get an edge. `limit`:
-/// how many new vertices the curves may have, `None` for none.
+/// Cuts a hole along the creases that end on its rim.
 ///
-/// O(n) for n old triangles round the rim and O(m^6) for its m ends, few on any shape.
+/// Returns `None` if no crease continues and the rim does not follow one, or if the rim has several
+/// loops. `taken` is true for two rim vertices that must not get an edge. `limit` bounds the number
+/// of new vertices on the curves; `None` allows no new vertices.
+///
+/// O(n) for n old triangles around the rim, plus O(m^6) for its m ends, which are few on any shape.
 pub(super) fn divide(rim: &Rim, taken: &dyn Fn(u32, u32) -> bool, limit: Option<u32>) -> Result<Option<Division>> {
     if rim.lengths.len() > 1 {
         return Ok(None);
     }
     let corners = ends::corners(rim)?;
-    let (ends, touches) = ends::ends(rim, &corners)?;
-    let joins = joins::joins(rim, &ends)?;
+    let (ends, touches) = ends::find_ends(rim, &corners)?;
+    let joins = joins::match_ends(rim, &ends)?;
     let mut bridges = Bridges::new(rim, &ends)?;
-    // Of each end of a curve.
+    // The limit for each end of a curve.
     let limit = limit.map(|limit| limit as usize / ends.len().max(1));
     for join in &joins {
         match (join, limit) {
             (&Join::Pair(pair), _) => bridges.join(pair, taken, limit)?,
-            (Join::Star { centre, arms }, Some(limit)) if limit > 0 => bridges.meet(*centre, arms, limit)?,
+            (Join::Star { centre, arms }, Some(limit)) if limit > 0 => bridges.join_at(*centre, arms, limit)?,
             (Join::Star { .. }, _) => {}
         }
     }

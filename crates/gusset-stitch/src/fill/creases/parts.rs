@@ -1,4 +1,4 @@
-//! The parts of a hole that curves cut out of it.
+//! The parts into which curves cut a hole.
 
 use super::super::patch_rim::{OldFaces, Rim};
 use super::bridges::Bridge;
@@ -9,25 +9,26 @@ use gusset_base::error::Result;
 use gusset_base::sort::sort_distinct;
 use gusset_mesh::NONE;
 
-/// Of a vertex on no curve.
+/// The curves of a vertex that lies on no curve.
 const NO_CURVE: [u32; 2] = [NONE; 2];
 
 /// A part of a hole.
 pub(in super::super) struct Part {
-    /// Its rim, along the hole's and along curves, in the unit of the hole's; old triangles count
-    /// only on this side of the creases.
+    /// The part's rim, along the hole's rim and along curves, in the unit of the hole. It knows
+    /// only the old triangles on its own side of the creases.
     pub(in super::super) rim: Rim,
-    /// Of each vertex of its rim, the number in the hole's, or after those that of a curve's vertex.
+    /// For each vertex of the part's rim, its number on the hole's rim, or after those the number
+    /// of a curve's vertex.
     pub(in super::super) names: Vec<u32>,
-    /// The curves that each is on.
+    /// The curves that each vertex lies on.
     curves: Vec<[u32; 2]>,
-    /// How many vertices the hole's rim has.
+    /// The number of vertices of the hole's rim.
     count: usize,
 }
 
 impl Part {
-    /// True of two vertices of its rim that must not get an edge: `taken` ones of the hole's rim, and
-    /// those of one curve, as the part beyond it has them, too.
+    /// Returns true if two vertices of the part's rim must not get an edge: `taken` vertices of the
+    /// hole's rim, or two vertices of one curve, because the part across the curve has these too.
     pub(in super::super) fn is_taken(&self, u: u32, v: u32, taken: &dyn Fn(u32, u32) -> bool) -> bool {
         let [of_u, of_v] = [u, v].map(|v| self.curves[v as usize]);
         let on_one = of_u.iter().any(|curve| *curve != NONE && of_v.contains(curve));
@@ -36,23 +37,24 @@ impl Part {
     }
 }
 
-/// What the rims of parts run along.
+/// The rim, the creases and the bridges that the outlines of parts follow.
 pub(super) struct Outlines<'a> {
     pub(super) rim: &'a Rim,
     pub(super) corners: &'a Corners,
     pub(super) ends: &'a [End],
     pub(super) touches: &'a [Touch],
-    /// Of each end, if there is one.
+    /// The bridge of each end, if it has one.
     pub(super) bridges: &'a [Option<Bridge>],
 }
 
 impl Outlines<'_> {
-    /// The parts between bridges, or one of the whole rim if that touches creases only; `None` if there
-    /// are none, or if one has no vertex but those of creases. `points`: of the curves. O(n) a part
-    /// for n old vertices.
+    /// Returns the parts between bridges, or one part for the whole rim if it only touches creases.
+    ///
+    /// Returns `None` without parts, or if a part has only vertices on creases. `points` are the
+    /// vertices of the curves. O(n) per part for n old vertices.
     pub(super) fn parts(&self, points: &[DVec3]) -> Result<Option<Vec<Part>>> {
         let count = self.rim.count;
-        // Of each vertex of the rim the end whose tip it is, or that follows the rim there.
+        // For each rim vertex, the end that has it as its tip or that follows the rim there.
         let mut end_at = alloc::filled(None, count)?;
         for (k, end) in self.ends.iter().enumerate().filter(|&(k, _)| self.bridges[k].is_some()) {
             end.vertices(count).for_each(|v| end_at[v] = Some(k));
@@ -68,12 +70,12 @@ impl Outlines<'_> {
             (0..count).try_for_each(|v| outline.follow(v, touch_at[v]))?;
             alloc::push(&mut parts, outline)?;
         }
-        let mut done = alloc::filled(false, self.ends.len())?;
+        let mut is_used = alloc::filled(false, self.ends.len())?;
         for first in 0..self.ends.len() {
             let mut outline = Outline::new(self);
             let mut start = first;
-            while let (false, Some(leaving)) = (done[start], &self.bridges[start]) {
-                done[start] = true;
+            while let (false, Some(leaving)) = (is_used[start], &self.bridges[start]) {
+                is_used[start] = true;
                 outline.leave(&self.ends[start], leaving.curve)?;
                 let mut v = (self.ends[start].tip + 1) % count;
                 let (end, bridge) = loop {
@@ -120,17 +122,17 @@ impl<'a> Outline<'a> {
         alloc::push(&mut self.curves, curves)
     }
 
-    fn all_at(&mut self, v: usize) -> Result<()> {
+    fn push_faces_at(&mut self, v: usize) -> Result<()> {
         alloc::extend(&mut self.around, self.corners.get(v).iter().map(|&(t, _, _)| t))
     }
 
-    /// A vertex of the hole's rim, and the touch that it is of.
+    /// Appends a vertex of the hole's rim, which may lie on a touch.
     fn follow(&mut self, v: usize, touch: Option<usize>) -> Result<()> {
         let Some(k) = touch else {
             self.push(v, NO_CURVE)?;
-            return self.all_at(v);
+            return self.push_faces_at(v);
         };
-        // Curves are numbered from 0 on.
+        // Touches are numbered downwards, because curves are numbered from 0 upwards.
         self.push(v, [NONE - 1 - k as u32, NONE])?;
         let touch = &self.touches[k];
         if v == touch.first {
@@ -142,31 +144,31 @@ impl<'a> Outline<'a> {
         Ok(())
     }
 
-    /// A vertex of the hole's rim where that follows a crease.
+    /// Appends a vertex of the hole's rim at which the rim follows a crease.
     fn follow_crease(&mut self, v: usize, end: &End, curve: u32) -> Result<()> {
         self.push(v, [curve, NONE])?;
-        let side = usize::from(end.along < 0);
+        let side = usize::from(end.following < 0);
         if v == end.base { alloc::append(&mut self.around, &end.sides[side]) } else { Ok(()) }
     }
 
-    /// The tip of an end from which the part goes on along the rim.
+    /// Appends the tip of the end at which the part's outline enters the hole's rim.
     fn leave(&mut self, end: &End, curve: u32) -> Result<()> {
         self.push(end.tip, [curve, NONE])?;
-        if end.along > 0 { self.all_at(end.tip) } else { alloc::append(&mut self.around, &end.sides[1]) }
+        if end.following > 0 { self.push_faces_at(end.tip) } else { alloc::append(&mut self.around, &end.sides[1]) }
     }
 
-    /// The tip of an end where the part leaves the rim.
+    /// Appends the tip of the end at which the part's outline leaves the hole's rim.
     fn arrive(&mut self, end: &End, curve: u32) -> Result<()> {
         self.push(end.tip, [curve, NONE])?;
-        if end.along < 0 { self.all_at(end.tip) } else { alloc::append(&mut self.around, &end.sides[0]) }
+        if end.following < 0 { self.push_faces_at(end.tip) } else { alloc::append(&mut self.around, &end.sides[0]) }
     }
 
-    /// The vertices of a bridge.
+    /// Appends the inner vertices of a bridge.
     fn cross(&mut self, inner: &[(u32, [u32; 2])]) -> Result<()> {
         inner.iter().try_for_each(|&(name, curves)| self.push(name as usize, curves))
     }
 
-    /// The part within. O(n) for n old vertices.
+    /// Builds the part inside this outline. O(n) for n old vertices.
     fn part(mut self, points: &[DVec3]) -> Result<Part> {
         let (rim, count, n) = (self.rim, self.rim.count, self.names.len());
         let mut numbers = alloc::filled(NONE, rim.points.len())?;

@@ -1,4 +1,4 @@
-//! Grids of 9 by 9 cells with a square hole of 5 by 5 cells, at heights of several kinds.
+//! Grids of 9 by 9 cells with a square hole of 5 by 5 cells, over several height functions.
 
 use super::super::patch_rim::{OldFaces, Rim};
 use super::{Division, divide};
@@ -10,7 +10,7 @@ const HOLE: std::ops::RangeInclusive<u32> = 2..=6;
 
 fn rim(mut height: impl FnMut(f64, f64) -> f64) -> Rim {
     let side = CELLS + 1;
-    // Round the hole, counter-clockwise, and then all other vertices.
+    // Around the hole counter-clockwise, then all other vertices.
     let ring = (0..5).map(|k| (2 + k, 2)).chain((0..5).map(|k| (7, 2 + k)));
     let ring = ring.chain((0..5).map(|k| (7 - k, 7))).chain((0..5).map(|k| (2, 7 - k)));
     let mut order: Vec<(u32, u32)> = ring.collect();
@@ -45,14 +45,14 @@ fn a_roof_is_two_parts() {
         let division = divided(&roof, limit).unwrap();
         assert_eq!((division.parts.len(), division.points.len()), (2, points));
         for part in &division.parts {
-            // Flat: its own old triangles have one normal.
+            // Each part is flat: its own old triangles have one normal.
             let normals: Vec<_> = part.rim.normals.iter().filter(|normal| **normal != DVec3::ZERO).collect();
             assert!(normals.len() > 3 && normals.iter().all(|normal| normal.distance(*normals[0]) < 1e-12));
         }
         let names: Vec<_> = division.parts.iter().map(|part| part.names.len()).collect();
         assert_eq!(names.iter().sum::<usize>(), 20 + 2 + 2 * points);
     }
-    // Of a chord that is taken nothing is made.
+    // If the chord is taken, the roof is not divided.
     assert!(divide(&roof, &|_, _| true, None).unwrap().is_none());
 }
 
@@ -64,7 +64,7 @@ fn a_ridge_that_touches_the_rim_hides_what_is_beyond() {
     assert_eq!(part.names, (0..20).collect::<Vec<_>>());
     let normal = DVec3::new(1.0, 0.0, 1.0).normalize();
     assert!(part.rim.normals.iter().all(|&own| own == DVec3::ZERO || own.distance(normal) < 1e-12));
-    // Places 15 to 20 are the ridge.
+    // Vertices 15 to 20 lie on the ridge.
     assert!(part.is_taken(15, 18, &|_, _| false) && !part.is_taken(3, 8, &|_, _| false));
     assert_eq!(part.rim.across.iter().filter(|across| **across == DVec3::ZERO).count(), 5);
 }
@@ -78,7 +78,7 @@ fn noise_has_no_creases() {
         let rough = rim(|x, y| 0.1 * (x * x - x * y) + noise * random.f64());
         divided(&rough, Some(100)).is_some()
     };
-    // Chance may put one or the other sharp edge in line with another.
+    // By chance, two unrelated sharp edges may line up.
     let creased: Vec<u64> = (0..count).filter(rough).collect();
     assert!(creased.len() as u64 <= count / 200, "{creased:?}");
 }

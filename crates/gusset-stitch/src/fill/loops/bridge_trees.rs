@@ -1,12 +1,11 @@
-//! Few vertices: all trees of bridges are tried.
+//! Exact search over all trees of bridges, for few vertices.
 //!
-//! Every triangulation has one tree of shortest bridges, which Prim's algorithm finds from its
-//! shortest bridge on. With the bridges in order of length each step says which are not there: all
-//! that are shorter than the one taken and lead, as it does, from the loops already joined to the
-//! others. So each triangulation comes up once only, and the longer the bridges, the fewer chords
-//! there are to try.
+//! Every triangulation has one shortest tree of bridges, which Prim's algorithm grows from its
+//! shortest bridge. With the bridges ordered by length, each step excludes all bridges that are
+//! shorter than the chosen one and would join the same two sets of loops. So each triangulation
+//! occurs only once, and longer bridges leave fewer chords to try.
 
-use super::super::chords::All;
+use super::super::chords::AllChords;
 use super::super::weigh::Cost;
 use super::numbered_rims::Rims;
 use super::opened::Opened;
@@ -16,12 +15,12 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::sort;
 
-/// So many triangles may be looked at: about 50 ms.
+/// Largest number of triangles that a search may examine; takes about 50 ms.
 pub(super) const MAX_WORK: f64 = 4e6;
 
-/// How many triangles are looked at for loops of these lengths, about; more than [`MAX_WORK`] if
-/// there are too many loops.
-pub(super) fn work(lengths: impl Iterator<Item = usize> + Clone) -> f64 {
+/// Estimates the number of triangles to examine for loops of these lengths; infinite for more than
+/// three loops.
+pub(super) fn search_work(lengths: impl Iterator<Item = usize> + Clone) -> f64 {
     let loops = lengths.clone().count();
     let count: usize = lengths.clone().sum();
     let squares: usize = lengths.map(|n| n * n).sum();
@@ -31,19 +30,19 @@ pub(super) fn work(lengths: impl Iterator<Item = usize> + Clone) -> f64 {
         3 => bridges * bridges / 3.0,
         _ => f64::INFINITY,
     };
-    trees * triangles(count + 2 * loops - 2)
+    trees * polygon_work(count + 2 * loops - 2)
 }
 
-/// How many are looked at for one polygon of so many vertices.
-pub(super) fn triangles(n: usize) -> f64 {
+/// Estimates the number of triangles to examine for one polygon with n vertices.
+pub(super) fn polygon_work(n: usize) -> f64 {
     (n as f64).powi(3) / 6.0
 }
 
-/// The bridges by length, and where each is.
+/// The bridges sorted by length, and the rank of each.
 struct Bridges {
-    /// Their ends, the smaller first.
+    /// The ends of each bridge, the smaller first.
     sorted: Vec<[u32; 2]>,
-    /// At u n + v the place of (u, v) among them.
+    /// The rank of the bridge (u, v) is at index u n + v, for n vertices.
     rank: Vec<u32>,
 }
 
@@ -67,17 +66,18 @@ impl Bridges {
     }
 }
 
-/// Some loops joined by a tree.
+/// Some loops joined by a tree of bridges.
 struct Branch {
     opened: Opened,
     is_joined: Vec<bool>,
-    /// At i k + j the least place in [`Bridges`] that one between the loops i and j may have.
+    /// At index i k + j, for k loops: the least rank that a bridge between the loops i and j may
+    /// have.
     least: Vec<u32>,
 }
 
 impl Branch {
-    /// With one more loop, joined at a place to a vertex by the bridge of this rank.
-    fn with(&self, rims: &Rims, place: usize, v: u32, rank: u32) -> Result<Branch> {
+    /// Adds one loop, joined at `place` to its vertex `v` by the bridge of this rank.
+    fn with_loop(&self, rims: &Rims, place: usize, v: u32, rank: u32) -> Result<Branch> {
         let ring = rims.ring[v as usize] as usize;
         let (mut is_joined, mut least) = (alloc::copied(&self.is_joined)?, alloc::copied(&self.least)?);
         let k = is_joined.len();
@@ -87,32 +87,36 @@ impl Branch {
             }
         }
         is_joined[ring] = true;
-        Ok(Branch { opened: self.opened.joined(place, rims.range(ring), v)?, is_joined, least })
+        Ok(Branch { opened: self.opened.with_loop(place, rims.range(ring), v)?, is_joined, least })
     }
 }
 
-struct Search<'a> {
+struct TreeSearch<'a> {
     task: &'a Task<'a>,
     bridges: Bridges,
     best: Option<Closed>,
-    /// What costs no less is passed over.
+    /// Triangulations that cost no less than this are skipped.
     limit: Option<Cost>,
     repeats: usize,
 }
 
-/// So many searches of one polygon more where edges come twice that they are as much work again.
-pub(super) fn repeats(rims: &Rims) -> usize {
-    (MAX_WORK / triangles(rims.count() + 2 * rims.loops() - 2)) as usize
+/// Returns the number of additional polygon searches, for repeated edges, that double the work.
+pub(super) fn max_repeats(rims: &Rims) -> usize {
+    (MAX_WORK / polygon_work(rims.count() + 2 * rims.loops() - 2)) as usize
 }
 
-/// The best triangulation that costs less than `limit`: all are tried. By area it is the least there
-/// is, unless edges come twice in more searches than `repeats`; bends and bulges as the search of a
-/// single loop treats them.
+/// Returns the best triangulation that costs less than `limit`, over all trees of bridges.
 ///
-/// O(trees n^3).
-pub(super) fn exact(task: &Task<'_>, limit: Option<Cost>, repeats: usize, job: &Job<'_>) -> Result<Option<Closed>> {
+/// By area it is optimal, unless edges repeat in more searches than `repeats`. Bends and bulges are
+/// treated as in the search of a single loop. O(t n^3) for t trees.
+pub(super) fn best_over_trees(
+    task: &Task<'_>,
+    limit: Option<Cost>,
+    repeats: usize,
+    job: &Job<'_>,
+) -> Result<Option<Closed>> {
     let (rims, k) = (task.rims, task.rims.loops());
-    let mut search = Search { task, bridges: Bridges::new(task)?, best: None, limit, repeats };
+    let mut search = TreeSearch { task, bridges: Bridges::new(task)?, best: None, limit, repeats };
     let count = search.bridges.sorted.len();
     for rank in 0..count {
         let [u, v] = search.bridges.sorted[rank];
@@ -121,15 +125,15 @@ pub(super) fn exact(task: &Task<'_>, limit: Option<Cost>, repeats: usize, job: &
         let place = (u - range.start) as usize;
         let mut is_joined = alloc::filled(false, k)?;
         is_joined[ring] = true;
-        // The first bridge is the shortest of all.
+        // The first bridge is the shortest in the tree.
         let least = alloc::filled(rank as u32, k * k)?;
-        let alone = Branch { opened: Opened::loop_of(range)?, is_joined, least };
-        search.branch(alone.with(rims, place, v, rank as u32)?, &job.share(rank, count))?;
+        let alone = Branch { opened: Opened::from_loop(range)?, is_joined, least };
+        search.branch(alone.with_loop(rims, place, v, rank as u32)?, &job.share(rank, count))?;
     }
     Ok(search.best)
 }
 
-impl Search<'_> {
+impl TreeSearch<'_> {
     fn branch(&mut self, branch: Branch, job: &Job<'_>) -> Result<()> {
         let rims = self.task.rims;
         let ring = |v: u32| rims.ring[v as usize] as usize;
@@ -138,7 +142,7 @@ impl Search<'_> {
         if branch.is_joined.iter().all(|&is_joined| is_joined) {
             let bridges = &self.bridges;
             let excluded = |u: u32, v: u32| rims.joins(u, v) && bridges.rank(rims, u, v) < least(u, v);
-            let chords = All(branch.opened.len());
+            let chords = AllChords(branch.opened.len());
             let limit = self.best.as_ref().map(|best| &best.cost).or(self.limit.as_ref());
             let repeats = Repeats::Both(&mut self.repeats);
             let found = self.task.search(branch.opened, &chords, &excluded, limit, repeats, job)?;
@@ -154,7 +158,7 @@ impl Search<'_> {
             key(x).cmp(&key(y))
         });
         for (u, v, place) in next {
-            self.branch(branch.with(rims, place, v, self.bridges.rank(rims, u, v))?, job)?;
+            self.branch(branch.with_loop(rims, place, v, self.bridges.rank(rims, u, v))?, job)?;
         }
         Ok(())
     }

@@ -1,8 +1,9 @@
-//! Many loops of few vertices: a tree of short bridges, each of which is replaced by better ones.
+//! Search for many loops with few vertices: starts from a tree of short bridges, and exchanges them
+//! for better ones.
 
-use super::super::chords::All;
-use super::bridge_trees::{MAX_WORK, triangles};
-use super::improve::{FREE, REPEATS};
+use super::super::chords::AllChords;
+use super::bridge_trees::{MAX_WORK, polygon_work};
+use super::improve::{NOTHING_TAKEN, REPEATS};
 use super::numbered_rims::Rims;
 use super::opened::Opened;
 use super::task::{Closed, Repeats, Task};
@@ -11,20 +12,20 @@ use gusset_base::error::Result;
 use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::job::Job;
 
-/// Other bridges that are tried in place of each, the shortest ones.
-const CANDIDATES: usize = 8;
+/// Number of the shortest alternative bridges that are tried in place of a bridge.
+const MAX_CANDIDATES: usize = 8;
 
-/// How many triangles are looked at in one pass for loops of these lengths, about.
-pub(super) fn work(lengths: impl Iterator<Item = usize> + Clone) -> f64 {
+/// Estimates the number of triangles to examine in one pass for loops of these lengths.
+pub(super) fn pass_work(lengths: impl Iterator<Item = usize> + Clone) -> f64 {
     let loops = lengths.clone().count();
     let opened = lengths.sum::<usize>() + 2 * loops - 2;
-    (CANDIDATES * (loops - 1)) as f64 * triangles(opened)
+    (MAX_CANDIDATES * (loops - 1)) as f64 * polygon_work(opened)
 }
 
-/// A good triangulation, not always the best.
+/// Returns a good triangulation, not always the best.
 ///
-/// O(k n^3) for k loops of n vertices in all.
-pub(super) fn exchanged(task: &Task<'_>, job: &Job<'_>) -> Result<Option<Closed>> {
+/// O(k n^3) for k loops with n vertices in all.
+pub(super) fn exchange_bridges(task: &Task<'_>, job: &Job<'_>) -> Result<Option<Closed>> {
     let rims = task.rims;
     let n = rims.count() as u32;
     let pairs = (0..n).flat_map(|u| (u + 1..n).map(move |v| [u, v]));
@@ -33,20 +34,27 @@ pub(super) fn exchanged(task: &Task<'_>, job: &Job<'_>) -> Result<Option<Closed>
     let Some(mut tree) = shortest_tree(rims, &bridges)? else {
         return Ok(None);
     };
-    let mut left = (2.0 * MAX_WORK / triangles(n as usize + 2 * tree.len())) as usize;
+    let mut left = (2.0 * MAX_WORK / polygon_work(n as usize + 2 * tree.len())) as usize;
     let allowed = left.max(1) as f64;
     let search = |tree: &[[u32; 2]], best: &Option<Closed>, left: usize| {
         let opened = opened_along(rims, tree)?;
         let limit = best.as_ref().map(|best| &best.cost);
-        let chords = All(opened.len());
-        task.search(opened, &chords, FREE, limit, Repeats::One(REPEATS), &job.part(1.0 - left as f64 / allowed, 1.0))
+        let chords = AllChords(opened.len());
+        task.search(
+            opened,
+            &chords,
+            NOTHING_TAKEN,
+            limit,
+            Repeats::One(REPEATS),
+            &job.part(1.0 - left as f64 / allowed, 1.0),
+        )
     };
     let mut best = search(&tree, &None, left)?;
     let mut at = 0;
     let mut vain = 0;
     while left > 0 && vain < tree.len() {
         vain += 1;
-        for bridge in others(rims, &bridges, &tree, at)? {
+        for bridge in replacements(rims, &bridges, &tree, at)? {
             if left == 0 {
                 break;
             }
@@ -62,7 +70,7 @@ pub(super) fn exchanged(task: &Task<'_>, job: &Job<'_>) -> Result<Option<Closed>
     Ok(best)
 }
 
-/// The shortest bridges that join all loops; those with ends of their own, if there are such.
+/// Returns the shortest bridges that join all loops, without common ends if possible.
 fn shortest_tree(rims: &Rims, bridges: &[[u32; 2]]) -> Result<Option<Vec<[u32; 2]>>> {
     let mut joined = DisjointSets::new(rims.loops())?;
     let mut tree = Vec::<[u32; 2]>::new();
@@ -82,21 +90,21 @@ fn shortest_tree(rims: &Rims, bridges: &[[u32; 2]]) -> Result<Option<Vec<[u32; 2
     Ok(None)
 }
 
-/// The shortest bridges that join what a tree does not without its bridge `at`.
-fn others(rims: &Rims, bridges: &[[u32; 2]], tree: &[[u32; 2]], at: usize) -> Result<Vec<[u32; 2]>> {
+/// Returns the shortest bridges that join the two parts of a tree without its bridge `removed`.
+fn replacements(rims: &Rims, bridges: &[[u32; 2]], tree: &[[u32; 2]], removed: usize) -> Result<Vec<[u32; 2]>> {
     let mut joined = DisjointSets::new(rims.loops())?;
     let ring = |v: u32| rims.ring[v as usize];
-    for (_, &[u, v]) in tree.iter().enumerate().filter(|&(k, _)| k != at) {
+    for (_, &[u, v]) in tree.iter().enumerate().filter(|&(k, _)| k != removed) {
         joined.union(ring(u), ring(v));
     }
-    let mut apart = |&[u, v]: &[u32; 2]| joined.find(ring(u)) != joined.find(ring(v)) && [u, v] != tree[at];
-    alloc::gather(bridges.iter().filter(|bridge| apart(bridge)).take(CANDIDATES).copied())
+    let mut apart = |&[u, v]: &[u32; 2]| joined.find(ring(u)) != joined.find(ring(v)) && [u, v] != tree[removed];
+    alloc::gather(bridges.iter().filter(|bridge| apart(bridge)).take(MAX_CANDIDATES).copied())
 }
 
-/// The polygon along a tree of bridges; where several end at one vertex, in some order.
+/// Returns the polygon along a tree of bridges. Several bridges at one vertex come in any order.
 fn opened_along(rims: &Rims, tree: &[[u32; 2]]) -> Result<Opened> {
     let ring = |v: u32| rims.ring[v as usize] as usize;
-    let mut opened = Opened::loop_of(rims.range(ring(tree[0][0])))?;
+    let mut opened = Opened::from_loop(rims.range(ring(tree[0][0])))?;
     let mut is_joined = alloc::filled(false, rims.loops())?;
     is_joined[ring(tree[0][0])] = true;
     for _ in tree {
@@ -106,7 +114,7 @@ fn opened_along(rims: &Rims, tree: &[[u32; 2]]) -> Result<Opened> {
         };
         let [u, v] = if is_joined[ring(u)] { [u, v] } else { [v, u] };
         if let Some(place) = opened.order.iter().position(|&w| w == u) {
-            opened = opened.joined(place, rims.range(ring(v)), v)?;
+            opened = opened.with_loop(place, rims.range(ring(v)), v)?;
         }
         is_joined[ring(v)] = true;
     }

@@ -1,14 +1,14 @@
-//! All triangulations of a few small loops, one after another: what the search is held against.
+//! All triangulations of a few small loops by enumeration: the reference for the search.
 
 use super::super::Weight;
 use super::super::weigh::Polygon;
 use glam::DVec3;
 
-/// What a directed pair of vertices is.
+/// The state of a directed pair of vertices.
 #[derive(Clone, Copy, PartialEq)]
 enum Side {
     Free,
-    /// A triangle is still to run along it.
+    /// A triangle has yet to run along it.
     Wanted,
     /// A triangle with this normal runs along it.
     Run(DVec3),
@@ -26,17 +26,17 @@ pub(super) struct Exhaustive<'a> {
     unit: f64,
     sides: Vec<Side>,
     triangles: Vec<[u32; 3]>,
-    /// How many triangles there must be.
+    /// The number of triangles of a complete triangulation.
     count: usize,
     taken: &'a dyn Fn(u32, u32) -> bool,
-    /// The least cost of those found.
+    /// The least cost of the complete triangulations.
     best: f64,
-    /// What costs more is passed over.
+    /// Partial triangulations that cost at least this are skipped.
     limit: f64,
 }
 
 impl<'a> Exhaustive<'a> {
-    /// The least cost, of those below `limit`; infinite if there is none.
+    /// Returns the least cost below `limit`; infinity if there is none.
     pub(super) fn least(loops: &[Polygon], weight: Weight, taken: &'a dyn Fn(u32, u32) -> bool, limit: f64) -> f64 {
         let mut search = Exhaustive::new(loops, weight, taken);
         search.limit = limit;
@@ -44,7 +44,7 @@ impl<'a> Exhaustive<'a> {
         search.best
     }
 
-    /// What given triangles cost.
+    /// Returns the cost of the given triangles.
     pub(super) fn cost(loops: &[Polygon], weight: Weight, triangles: &[[u32; 3]]) -> f64 {
         let mut search = Exhaustive::new(loops, weight, &|_, _| false);
         triangles.iter().map(|triangle| search.place(triangle.map(|v| v as usize)).expect("sides that are free")).sum()
@@ -97,8 +97,8 @@ impl<'a> Exhaustive<'a> {
         }
     }
 
-    /// Adds a triangle; what it costs, with the bends at those of its sides that have both
-    /// triangles, or `None` if it cannot be.
+    /// Adds a triangle. Returns its cost, including the bends at its sides that now have two
+    /// triangles, or `None` if the triangle is not possible.
     fn place(&mut self, corners: [usize; 3]) -> Option<f64> {
         let n = self.points.len();
         let pairs = [0, 1, 2].map(|k| (corners[k], corners[(k + 1) % 3]));
@@ -144,8 +144,8 @@ impl<'a> Exhaustive<'a> {
     }
 }
 
-/// Is the surface connected, and do the triangles at each vertex make one fan, from the rim's edge
-/// that leaves it to the one that arrives?
+/// Returns true if the surface is connected, and the triangles at each vertex form one fan from its
+/// outgoing to its incoming rim edge.
 pub(super) fn is_surface(triangles: &[[u32; 3]], n: usize, next: &[usize]) -> bool {
     use std::collections::BTreeMap;
     let mut third = BTreeMap::new();
@@ -159,7 +159,7 @@ pub(super) fn is_surface(triangles: &[[u32; 3]], n: usize, next: &[usize]) -> bo
     let fans = (0..n).all(|v| {
         let valence = triangles.iter().flatten().filter(|&&w| w as usize == v).count();
         let (mut u, mut steps) = (next[v], 0);
-        // From each side (v, u) to the third vertex of its triangle.
+        // Walk from each side (v, u) to the third vertex of its triangle.
         while let Some(&w) = third.get(&(v, u)) {
             (u, steps) = (w, steps + 1);
             if steps > valence {

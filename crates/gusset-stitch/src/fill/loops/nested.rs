@@ -1,9 +1,9 @@
-//! Loops in one plane, one round the others.
+//! Planar loops, one around the others.
 //!
-//! Bridges from each inner loop to what is round it join them to one polygon that crosses itself
-//! nowhere; its ears are clipped. The bridge starts at the inner loop's leftmost vertex: of the
-//! edges to the left of it the nearest one has an end that is seen, or another vertex is, in the
-//! triangle between (D. Eberly, *Triangulation by ear clipping*, 2002).
+//! Bridges join each inner loop to the loops around it, until one polygon without
+//! self-intersections is left, whose ears are clipped. The bridge starts at the inner loop's
+//! leftmost vertex. It leads to an end of the nearest edge on the left, or to a vertex inside the
+//! triangle between them, whichever is visible (D. Eberly, *Triangulation by ear clipping*, 2002).
 
 use super::super::clip::{clip_ears, is_planar};
 use super::numbered_rims::Rims;
@@ -16,28 +16,29 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::sort;
 
-/// By how much of it the area may differ from the loops': what is more is an overlap.
+/// Largest relative excess of the triangles' area over the area of the loops. A larger excess means
+/// an overlap.
 const MAX_EXCESS: f64 = 1e-9;
 
-/// The normal of the plane that all loops lie in; `None` if they lie in none, or enclose no area on
-/// the whole.
+/// Returns the normal of the plane of all loops. Returns `None` if they are not coplanar, or if
+/// their total area vector is 0.
 pub(super) fn common_plane(rims: &Rims) -> Option<DVec3> {
     let first = *rims.all.points.first()?;
     let normal = rims.points().map(|points| area_vector(points, first)).sum::<DVec3>().try_normalize()?;
     is_planar(&rims.all.points, normal).then_some(normal)
 }
 
-/// Newell's formula: twice the area, along the normal.
+/// Returns twice the area vector, by Newell's formula.
 fn area_vector(points: &[DVec3], origin: DVec3) -> DVec3 {
     let next = points.iter().cycle().skip(1);
     points.iter().zip(next).map(|(&p, &q)| (p - origin).cross(q - origin)).sum()
 }
 
-/// Triangles without an overlap; `None` if the loops are not one round the others, or none were
-/// found.
+/// Triangulates nested loops without overlaps. Returns `None` if the loops are not nested, or if no
+/// triangulation is found.
 ///
-/// O(k n) for the bridges of k loops of n vertices in all, and O(n log n).
-pub(super) fn nested(task: &Task<'_>, normal: DVec3, job: &Job<'_>) -> Result<Option<Vec<[u32; 3]>>> {
+/// O(k n) for the bridges of k loops with n vertices in all, plus O(n log n).
+pub(super) fn triangulate_nested(task: &Task<'_>, normal: DVec3, job: &Job<'_>) -> Result<Option<Vec<[u32; 3]>>> {
     let rims = task.rims;
     let x = normal.any_orthonormal_vector();
     let (y, origin) = (normal.cross(x), rims.all.points[0]);
@@ -48,7 +49,7 @@ pub(super) fn nested(task: &Task<'_>, normal: DVec3, job: &Job<'_>) -> Result<Op
     let (Some(outer), None) = (outer.next(), outer.next()) else {
         return Ok(None);
     };
-    let Some(opened) = opened(task, &flat, outer, &job.part(0.0, 0.3))? else {
+    let Some(opened) = join_nested(task, &flat, outer, &job.part(0.0, 0.3))? else {
         return Ok(None);
     };
     let points = opened.polygon(rims)?.points;
@@ -60,7 +61,7 @@ pub(super) fn nested(task: &Task<'_>, normal: DVec3, job: &Job<'_>) -> Result<Op
     let Some(triangles) = clip_ears(&points, &taken, &job.part(0.3, 0.7))? else {
         return Ok(None);
     };
-    let triangles = opened.named(&triangles)?;
+    let triangles = opened.to_vertices(&triangles)?;
     let area = |triangle: &[u32; 3]| {
         let [a, b, c] = triangle.map(|v| flat[v as usize]);
         (b - a).perp_dot(c - a).abs()
@@ -74,10 +75,10 @@ pub(super) fn nested(task: &Task<'_>, normal: DVec3, job: &Job<'_>) -> Result<Op
     Ok(Some(mesh.triangles))
 }
 
-/// The polygon of all loops; `None` if an inner loop sees nothing of the others.
-fn opened(task: &Task<'_>, flat: &[DVec2], outer: usize, job: &Job<'_>) -> Result<Option<Opened>> {
+/// Joins all loops into one polygon; `None` if an inner loop sees no other loop.
+fn join_nested(task: &Task<'_>, flat: &[DVec2], outer: usize, job: &Job<'_>) -> Result<Option<Opened>> {
     let rims = task.rims;
-    let mut opened = Opened::loop_of(rims.range(outer))?;
+    let mut opened = Opened::from_loop(rims.range(outer))?;
     let leftmost = |ring: usize| rims.range(ring).min_by(|&u, &v| order(flat[u as usize], flat[v as usize]));
     let inner = (0..rims.loops()).filter(|&ring| ring != outer);
     let mut inner = alloc::gather(inner.filter_map(|ring| leftmost(ring).map(|v| (v, ring))))?;
@@ -85,13 +86,13 @@ fn opened(task: &Task<'_>, flat: &[DVec2], outer: usize, job: &Job<'_>) -> Resul
     let count = inner.len();
     for (done, (v, ring)) in inner.into_iter().enumerate() {
         job.step(done as f64 / count as f64, "triangulating holes")?;
-        let Some(place) = seen(&opened, flat, flat[v as usize]) else {
+        let Some(place) = visible_place(&opened, flat, flat[v as usize]) else {
             return Ok(None);
         };
         if (task.taken)(opened.order[place], v) {
             return Ok(None);
         }
-        opened = opened.joined(place, rims.range(ring), v)?;
+        opened = opened.with_loop(place, rims.range(ring), v)?;
     }
     Ok(Some(opened))
 }
@@ -100,11 +101,11 @@ fn order(p: DVec2, q: DVec2) -> std::cmp::Ordering {
     p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y))
 }
 
-/// A place of the polygon, which is round `p`, that a bridge from there may lead to.
-fn seen(opened: &Opened, flat: &[DVec2], p: DVec2) -> Option<usize> {
+/// Returns a place of the polygon around `p` to which a bridge from `p` may lead.
+fn visible_place(opened: &Opened, flat: &[DVec2], p: DVec2) -> Option<usize> {
     let n = opened.len();
     let at = |place: usize| flat[opened.order[place % n] as usize];
-    // Edges on the left of what is inside run down.
+    // Edges with the inside on their right-hand side in x run downwards.
     let mut hit: Option<(f64, usize)> = None;
     for place in 0..n {
         let (a, b) = (at(place), at(place + 1));
@@ -123,7 +124,7 @@ fn seen(opened: &Opened, flat: &[DVec2], p: DVec2) -> Option<usize> {
         let [a, b, c] = triangle;
         turn(a, b, q) >= 0.0 && turn(b, c, q) >= 0.0 && turn(c, a, q) >= 0.0
     };
-    // Is p between the edges at a place, on the polygon's inside?
+    // Tells whether `p` lies between the edges at a place, inside the polygon.
     let looks = |place: usize| {
         let (before, here, after) = (at(place + n - 1), at(place), at(place + 1));
         let (left, right) = (turn(here, after, p) >= 0.0, turn(before, here, p) >= 0.0);
@@ -131,7 +132,7 @@ fn seen(opened: &Opened, flat: &[DVec2], p: DVec2) -> Option<usize> {
     };
     let slope = |q: DVec2| (p.y - q.y).abs() / (p.x - q.x);
     let inside = (0..n).filter(|&place| at(place).x < p.x && holds(at(place)) && looks(place));
-    // The least steep one hides behind nothing; the nearest of several.
+    // Nothing hides the least steep one; of several, take the nearest.
     let least = inside.min_by(|&i, &j| slope(at(i)).total_cmp(&slope(at(j))).then(at(j).x.total_cmp(&at(i).x)));
     Some(least.unwrap_or(end))
 }

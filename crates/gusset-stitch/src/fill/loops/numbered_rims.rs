@@ -1,4 +1,4 @@
-//! Several loops in common numbers.
+//! Several loops with common vertex numbers.
 
 use super::super::weigh::{Measure, Polygon};
 use glam::DVec3;
@@ -6,18 +6,18 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use std::ops::Range;
 
-/// Loops one after another, their vertices numbered through.
+/// Loops in sequence, with consecutive vertex numbers.
 pub(super) struct Rims {
-    /// The vertices of all of them.
+    /// The vertices of all loops.
     pub(super) all: Polygon,
-    /// Where each loop begins, and where the last one ends.
+    /// The first vertex of each loop, then the number of vertices.
     start: Vec<u32>,
     /// The loop of each vertex.
     pub(super) ring: Vec<u32>,
 }
 
 impl Rims {
-    /// Of fewer than 2^32 vertices in all.
+    /// Concatenates the loops, which must have fewer than 2^32 vertices in all.
     pub(super) fn new(loops: &[Polygon]) -> Result<Rims> {
         let mut all = Polygon::new(Vec::new(), Vec::new(), Vec::new());
         let (mut start, mut ring) = (alloc::filled(0, 1)?, Vec::new());
@@ -31,38 +31,38 @@ impl Rims {
         Ok(Rims { all, start, ring })
     }
 
-    /// How many vertices there are.
+    /// Returns the number of vertices.
     pub(super) fn count(&self) -> usize {
         self.ring.len()
     }
 
-    /// How many loops there are.
+    /// Returns the number of loops.
     pub(super) fn loops(&self) -> usize {
         self.start.len() - 1
     }
 
-    /// The vertices of a loop.
+    /// Returns the vertices of a loop.
     pub(super) fn range(&self, ring: usize) -> Range<u32> {
         self.start[ring]..self.start[ring + 1]
     }
 
-    /// The vertex after one, on its loop.
+    /// Returns the next vertex on the loop.
     pub(super) fn next(&self, v: u32) -> u32 {
         let range = self.range(self.ring[v as usize] as usize);
         if v + 1 < range.end { v + 1 } else { range.start }
     }
 
-    /// True of the ends of a rim's edge.
+    /// Returns true if the vertices are the ends of a rim edge.
     pub(super) fn is_edge(&self, u: u32, v: u32) -> bool {
         self.next(u) == v || self.next(v) == u
     }
 
-    /// True if an edge between two vertices leads from one loop to another.
+    /// Returns true if the vertices lie on different loops.
     pub(super) fn joins(&self, u: u32, v: u32) -> bool {
         self.ring[u as usize] != self.ring[v as usize]
     }
 
-    /// The points of each loop.
+    /// Returns the points of each loop.
     pub(super) fn points(&self) -> impl Iterator<Item = &[DVec3]> + Clone {
         (0..self.loops()).map(|ring| {
             let Range { start, end } = self.range(ring);
@@ -70,23 +70,24 @@ impl Rims {
         })
     }
 
-    /// Of triangulations that close all of them together.
+    /// Returns the measure of triangulations that close all loops together.
     pub(super) fn measure(&self) -> Measure {
-        Measure::of(self.points(), (self.count() + 2 * self.loops()).saturating_sub(4))
+        Measure::new(self.points(), (self.count() + 2 * self.loops()).saturating_sub(4))
     }
 
-    /// The square of the distance of two vertices.
+    /// Returns the squared distance between two vertices.
     pub(super) fn squared(&self, u: u32, v: u32) -> f64 {
         self.all.points[u as usize].distance_squared(self.all.points[v as usize])
     }
 }
 
-/// A loop of fewer vertices is not thinned: three must be left.
+/// Loops with fewer vertices are not thinned, because three must remain.
 const MIN_THINNED: usize = 5;
 
-/// Loops with about half as many vertices, those alone that have more than half as many as the
-/// longest; of each vertex left the number that it had. `None` if all are short.
-pub(super) fn thinned(loops: &[Polygon]) -> Result<Option<(Vec<Polygon>, Vec<u32>)>> {
+/// Removes about every other vertex of the long loops: those with more than half as many vertices
+/// as the longest. Returns the loops, and for each remaining vertex its old number; `None` if all
+/// loops are short.
+pub(super) fn thin_loops(loops: &[Polygon]) -> Result<Option<(Vec<Polygon>, Vec<u32>)>> {
     let longest = loops.iter().map(|polygon| polygon.points.len()).max().unwrap_or(0);
     if longest < MIN_THINNED {
         return Ok(None);

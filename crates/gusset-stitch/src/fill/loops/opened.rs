@@ -1,10 +1,11 @@
-//! Loops cut open along bridges: one polygon.
+//! Loops cut open along bridges into one polygon.
 //!
-//! A bridge is a chord between two loops. A surface of genus 0 that k loops bound has bridges that
-//! join them to a tree, k - 1 in number; cut open along them it is a disc, round which a polygon
-//! runs that passes each bridge twice, once each way, and the end of a bridge once more for each
-//! that ends there. Its triangulations are those of the surface that have these bridges, but for
-//! those that have an edge twice, between other copies of its ends.
+//! A bridge is a chord between two loops. A surface of genus 0 that k loops bound has k - 1 bridges
+//! that join the loops into a tree. Cut open along them it is a disc. The polygon around the disc
+//! passes each bridge twice, once in each direction. It passes a vertex once, and once more for
+//! each bridge that ends there. The triangulations of the polygon are the triangulations of the
+//! surface with these bridges, except those that repeat an edge between different copies of its
+//! ends.
 
 use super::super::weigh::Polygon;
 use super::numbered_rims::Rims;
@@ -14,24 +15,24 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use std::ops::Range;
 
-/// A polygon of the vertices of several loops.
+/// A polygon through the vertices of several loops.
 pub(super) struct Opened {
     /// The vertex at each place.
     pub(super) order: Vec<u32>,
-    /// True of the places whose edge to the next one is a bridge.
+    /// True for places whose edge to the next place is a bridge.
     pub(super) bridges: Vec<bool>,
 }
 
 impl Opened {
-    /// One loop, of these vertices.
-    pub(super) fn loop_of(range: Range<u32>) -> Result<Opened> {
+    /// Creates the polygon of one loop with these vertices.
+    pub(super) fn from_loop(range: Range<u32>) -> Result<Opened> {
         let bridges = alloc::filled(false, range.len())?;
         Ok(Opened { order: alloc::collect(range)?, bridges })
     }
 
-    /// With a bridge from a place to a vertex of another loop, of vertices `range`. It is the
-    /// last edge.
-    pub(super) fn joined(&self, place: usize, range: Range<u32>, v: u32) -> Result<Opened> {
+    /// Adds the loop with the vertices `range` by a bridge from a place to its vertex `v`. The
+    /// bridge becomes the last edge.
+    pub(super) fn with_loop(&self, place: usize, range: Range<u32>, v: u32) -> Result<Opened> {
         let n = self.order.len() + range.len() + 2;
         let (mut order, mut bridges) = (alloc::with_capacity(n)?, alloc::with_capacity(n)?);
         order.extend((v..range.end).chain(range.start..=v));
@@ -49,14 +50,14 @@ impl Opened {
 
     pub(super) fn polygon(&self, rims: &Rims) -> Result<Polygon> {
         let at = |of: &[DVec3]| alloc::collect(self.order.iter().map(|&v| of[v as usize]));
-        // What lies across a bridge is not known yet.
+        // The surface across a bridge is not known yet.
         let across = self.order.iter().zip(&self.bridges);
         let across = across.map(|(&v, &bridge)| if bridge { DVec3::ZERO } else { rims.all.across[v as usize] });
         Ok(Polygon::new(at(&rims.all.points)?, alloc::collect(across)?, at(&rims.all.normals)?))
     }
 
-    /// The bridges: their ends, the smaller first, and the two places where the polygon passes
-    /// them.
+    /// Returns the ends of each bridge, the smaller first, and the two places where the polygon
+    /// passes it.
     pub(super) fn tree(&self) -> Result<Vec<([u32; 2], [usize; 2])>> {
         let n = self.len();
         let passes = (0..n).filter(|&p| self.bridges[p]).map(|p| {
@@ -68,14 +69,14 @@ impl Opened {
         alloc::gather(passes.chunks_exact(2).map(|pair| (pair[0].0, [pair[0].1, pair[1].1])))
     }
 
-    /// Triangles of places as such of vertices.
-    pub(super) fn named(&self, triangles: &[[u32; 3]]) -> Result<Vec<[u32; 3]>> {
+    /// Converts triangles of places to triangles of vertices.
+    pub(super) fn to_vertices(&self, triangles: &[[u32; 3]]) -> Result<Vec<[u32; 3]>> {
         alloc::collect(triangles.iter().map(|triangle| triangle.map(|place| self.order[place as usize])))
     }
 
-    /// The polygon of finer loops with the same bridges, `kept` being the vertices of these loops
-    /// there; and of each place where it is then.
-    pub(super) fn finer(&self, rims: &Rims, kept: &[u32]) -> Result<(Opened, Vec<u32>)> {
+    /// Returns the polygon of finer loops with the same bridges, and the new place of each old
+    /// place. `kept` lists the vertices of these loops in the finer loops.
+    pub(super) fn refined(&self, rims: &Rims, kept: &[u32]) -> Result<(Opened, Vec<u32>)> {
         let mut finer = Opened { order: Vec::new(), bridges: Vec::new() };
         let mut places = alloc::with_capacity(self.len())?;
         for p in 0..self.len() {
@@ -93,9 +94,9 @@ impl Opened {
         Ok((finer, places))
     }
 
-    /// Pairs of chords of a triangulation of the polygon that have the same ends, ascending.
-    /// Triangles (i, m, k) of places, i < m < k.
-    pub(super) fn repeated(&self, triangles: &[[u32; 3]], is_copied: &[bool]) -> Result<Vec<[[u32; 2]; 2]>> {
+    /// Returns pairs of chords with equal ends in a triangulation of the polygon, ascending. The
+    /// triangles are (i, m, k) of places, i < m < k.
+    pub(super) fn repeated_chords(&self, triangles: &[[u32; 3]], is_copied: &[bool]) -> Result<Vec<[[u32; 2]; 2]>> {
         let chords = triangles.iter().map(|&[i, _, k]| {
             let [u, v] = [i, k].map(|place| self.order[place as usize]);
             ([u.min(v), u.max(v)], [i, k])
@@ -107,8 +108,8 @@ impl Opened {
     }
 }
 
-/// The surface of `triangles` over the vertices of all loops, cut open along a tree of its sides;
-/// the triangles come as places, ascending. `None` if that makes no disc.
+/// Cuts the surface of `triangles` open along a tree of its sides. The triangles index the vertices
+/// of all loops, and are returned as ascending places. Returns `None` if the result is not a disc.
 ///
 /// O(n log n).
 pub(super) fn cut_open(
@@ -130,7 +131,8 @@ pub(super) fn cut_open(
     let mut places = alloc::filled([u32::MAX; 3], triangles.len())?;
     let (mut t, mut k) = first;
     while order.len() < n {
-        // Round the end of the side, from triangle to triangle, to the next side of the polygon.
+        // Rotate around the end of the side, from triangle to triangle, to the next side of the
+        // polygon.
         let place = order.len() as u32;
         k = (k + 1) % 3;
         let [v, mut end] = side(t, k);

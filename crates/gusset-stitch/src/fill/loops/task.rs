@@ -1,8 +1,8 @@
-//! The search of one opened polygon.
+//! The search for one opened polygon.
 
 use super::super::Weight;
 use super::super::chords::Chords;
-use super::super::search::best;
+use super::super::search::best_triangulation;
 use super::super::weigh::{Cost, Measure, Scale};
 use super::numbered_rims::Rims;
 use super::opened::Opened;
@@ -13,27 +13,27 @@ use gusset_base::job::Job;
 use gusset_base::sort;
 use gusset_base::sort::Buckets;
 
-/// Loops to be closed together, and how.
+/// Loops to be closed together, and the criteria.
 pub(super) struct Task<'a> {
     pub(super) rims: &'a Rims,
     pub(super) weight: Weight,
     pub(super) measure: Measure,
-    /// True of two vertices that must not get an edge.
+    /// Returns true if two vertices must not get an edge.
     pub(super) taken: &'a dyn Fn(u32, u32) -> bool,
-    /// False of thinned loops: of theirs, only bridges stay edges for certain.
+    /// False for thinned loops: of their edges, only bridges are sure to stay edges.
     pub(super) is_finest: bool,
 }
 
-/// What to do where a triangulation has an edge twice.
+/// How the search treats triangulations that repeat an edge.
 pub(super) enum Repeats<'a> {
-    /// Search without the one and search without the other, so often in all.
+    /// Searches without the first chord and without the second, this many times in all.
     Both(&'a mut usize),
-    /// Search without all but one of each edge, so often.
+    /// Searches with only one chord of each repeated pair, this many times.
     One(usize),
 }
 
 impl Repeats<'_> {
-    /// Which chords to do without, in turn, where these are `repeated`.
+    /// Returns the sets of chords to exclude next, in turn, if the chords `repeated` occur.
     fn next(&mut self, without: &[[u32; 2]], repeated: &[[[u32; 2]; 2]]) -> Result<Vec<Vec<[u32; 2]>>> {
         let left = match self {
             Repeats::Both(left) => left,
@@ -56,28 +56,28 @@ impl Repeats<'_> {
     }
 }
 
-/// A triangulation of loops cut open.
+/// A triangulation of loops that are cut open.
 pub(super) struct Closed {
     pub(super) opened: Opened,
-    /// Of places, ascending.
+    /// Triples of places, ascending.
     pub(super) triangles: Vec<[u32; 3]>,
-    /// The bends across the bridges included.
+    /// Includes the bends across the bridges.
     pub(super) cost: Cost,
 }
 
 impl Task<'_> {
-    /// How costs compare.
+    /// Returns true if `a` is less than `b` by the measure of these loops.
     pub(super) fn is_less(&self, a: &Cost, b: &Cost) -> bool {
         Scale::opened(&self.rims.all, self.weight, self.measure, &[]).is_less(a, b)
     }
 
-    /// True of two vertices that no chord may join.
+    /// Returns true if no chord may join the vertices.
     pub(super) fn forbids(&self, u: u32, v: u32) -> bool {
         u == v || self.rims.is_edge(u, v) || (self.is_finest || self.rims.joins(u, v)) && (self.taken)(u, v)
     }
 
-    /// The best triangulation without an edge that comes twice, of those that cost less than `limit`
-    /// and have no chord between vertices that are `excluded`.
+    /// Returns the best triangulation without repeated edges, and without chords between `excluded`
+    /// vertices, that costs less than `limit`.
     pub(super) fn search(
         &self,
         opened: Opened,
@@ -106,15 +106,15 @@ impl Task<'_> {
                 self.forbids(u, v) || is_bridge(u, v) || excluded(u, v) || is_out()
             };
             let least = found.as_ref().map(|(_, cost)| cost).or(limit);
-            let Some(next) = best(&scale, chords, &forbidden, least, job)? else {
+            let Some(next) = best_triangulation(&scale, chords, &forbidden, least, job)? else {
                 continue;
             };
-            let repeated = opened.repeated(&next.triangles, &is_copied)?;
+            let repeated = opened.repeated_chords(&next.triangles, &is_copied)?;
             if !repeated.is_empty() {
                 open.append(&mut repeats.next(&without, &repeated)?);
                 continue;
             }
-            let cost = next.cost.and(bridge_bends(&scale, &tree, &next.triangles)?);
+            let cost = next.cost.plus(bridge_bends(&scale, &tree, &next.triangles)?);
             if least.is_none_or(|least| scale.is_less(&cost, least)) {
                 found = Some((next.triangles, cost));
             }
@@ -122,7 +122,7 @@ impl Task<'_> {
         Ok(found.map(|(triangles, cost)| Closed { opened, triangles, cost }))
     }
 
-    /// The cost of any triangles that close the loops, over the vertices of all.
+    /// Returns the cost of any triangles that close the loops, over the vertices of all loops.
     pub(super) fn cost(&self, triangles: &[[u32; 3]]) -> Result<Cost> {
         let rims = self.rims;
         let scale = Scale::opened(&rims.all, self.weight, self.measure, &[]);
@@ -133,7 +133,7 @@ impl Task<'_> {
         for triangle in triangles {
             let [x, y, z] = sides(triangle).map(bulge);
             let (normal, own) = scale.triangle(triangle.map(|v| v as usize), [z, x, y]);
-            total = total.and(own);
+            total = total.plus(own);
             normals.push(normal);
         }
         let each = triangles
@@ -148,21 +148,21 @@ impl Task<'_> {
                 let (v, normal) = pair[0];
                 let from = if rims.next(u) == v { u } else { v };
                 let beyond = if rims.is_edge(u, v) { rims.all.across[from as usize] } else { pair[pair.len() - 1].1 };
-                total = total.and(scale.bend([u as usize, v as usize], normal, beyond));
+                total = total.plus(scale.bend([u as usize, v as usize], normal, beyond));
             }
         }
         Ok(total)
     }
 }
 
-/// What the bends across bridges cost, which the search of the polygon does not see.
+/// Returns the cost of the bends across bridges, which the search of the polygon does not see.
 fn bridge_bends(scale: &Scale<'_>, tree: &[([u32; 2], [usize; 2])], triangles: &[[u32; 3]]) -> Result<Cost> {
     let points = &scale.polygon().points;
     let n = points.len() as u32;
     let passes = || tree.iter().flat_map(|(_, places)| places.iter().copied());
     let mut normals = alloc::filled(DVec3::ZERO, 2 * tree.len())?;
     for &[i, m, k] in triangles {
-        // The side that an edge of the polygon is, if it is one, and the place that it starts from.
+        // Look for sides that are edges of the polygon, and for their start.
         for (u, _) in [(i, m), (m, k), (k, i)].into_iter().filter(|&(u, v)| (u + 1) % n == v) {
             if let Some(at) = passes().position(|place| place == u as usize) {
                 normals[at] = scale.triangle([i, m, k].map(|v| v as usize), [0.0; 3]).0;
@@ -173,5 +173,5 @@ fn bridge_bends(scale: &Scale<'_>, tree: &[([u32; 2], [usize; 2])], triangles: &
     let bend = |(&(_, [p, _]), pair): (&([u32; 2], [usize; 2]), &[DVec3])| {
         scale.bend([p, (p + 1) % points.len()], pair[0], pair[1])
     };
-    Ok(pairs.map(bend).fold(Cost::ZERO, Cost::and))
+    Ok(pairs.map(bend).fold(Cost::ZERO, Cost::plus))
 }

@@ -1,11 +1,11 @@
-//! Against all triangulations there are, known areas, Euler's formula.
+//! Checks against enumerated triangulations, known areas and Euler's formula.
 
 use super::exhaustive::{Exhaustive, is_surface};
 use super::improve::far_tree;
-use super::numbered_rims::{Rims, thinned};
+use super::numbered_rims::{Rims, thin_loops};
 use super::opened::cut_open;
 use super::task::Task;
-use super::{closed, cost, triangulate_together, with_ears};
+use super::{close_loops, cost, refine_with_ears, triangulate_together};
 use crate::fill::Weight;
 use crate::fill::weigh::Polygon;
 use glam::DVec3;
@@ -14,15 +14,15 @@ use gusset_base::testing::cases;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-const FREE: &dyn Fn(u32, u32) -> bool = &|_, _| false;
+const NOTHING_TAKEN: &dyn Fn(u32, u32) -> bool = &|_, _| false;
 const WEIGHTS: [Weight; 4] = [Weight::Continuation, Weight::AreaAndBend, Weight::BendThenArea, Weight::Area];
 
 fn random_point(random: &mut fastrand::Rng) -> DVec3 {
     DVec3::from_array([(); 3].map(|()| 2.0 * random.f64() - 1.0))
 }
 
-/// A polygon in a circle about an axis, which it runs round forwards, of a tube that comes from
-/// there.
+/// Returns a circle that runs forwards around an axis, as the rim of a tube that arrives along the
+/// axis.
 fn circle(n: usize, radius: f64, centre: DVec3, axis: DVec3) -> Polygon {
     let x = axis.any_orthonormal_vector();
     let y = axis.cross(x);
@@ -32,7 +32,7 @@ fn circle(n: usize, radius: f64, centre: DVec3, axis: DVec3) -> Polygon {
     Polygon::new(points, across, normals)
 }
 
-/// Circles whose points are moved about.
+/// Returns circles with perturbed points.
 fn rough(lengths: &[usize], noise: f64, random: &mut fastrand::Rng) -> Vec<Polygon> {
     let mut loops = rings(lengths.len(), 3, 1.5);
     for (polygon, &n) in loops.iter_mut().zip(lengths) {
@@ -45,7 +45,7 @@ fn rough(lengths: &[usize], noise: f64, random: &mut fastrand::Rng) -> Vec<Polyg
     loops
 }
 
-/// Circles round an origin, which they face.
+/// Returns circles around an origin, facing it.
 fn rings(k: usize, n: usize, distance: f64) -> Vec<Polygon> {
     let on_sphere = |i: usize| {
         let z = 1.0 - (2 * i + 1) as f64 / k as f64;
@@ -64,7 +64,7 @@ fn nexts(loops: &[Polygon]) -> Vec<usize> {
     next
 }
 
-/// One surface of genus 0, and only the rims are its border.
+/// Asserts one surface of genus 0 whose border is exactly the rims.
 fn assert_closes(loops: &[Polygon], triangles: &[[u32; 3]]) {
     let next = nexts(loops);
     let n = next.len();
@@ -98,20 +98,21 @@ fn together(loops: &[Polygon], weight: Weight, taken: &dyn Fn(u32, u32) -> bool)
     triangulate_together(loops, weight, taken, &Job::default()).unwrap()
 }
 
-/// Compares areas with the least there are, in so many cases; how many had a triangulation.
+/// Compares areas with the enumerated minimum, and returns the number of cases with a
+/// triangulation.
 fn compare_areas(count: u32, lengths: impl Fn(u32) -> Vec<usize>) -> u32 {
     let mut random = fastrand::Rng::with_seed(11);
     let mut closed = 0;
     for case in 0..count {
         let noise = [0.1, 0.5, 2.0][case as usize % 3];
         let loops = rough(&lengths(case), noise, &mut random);
-        // In some cases a part of all edges is taken.
+        // In some cases, some of the edges are taken.
         let (share, key) = ([0, 0, 10, 40][case as usize / 3 % 4], random.u32(..));
         let hash = |u: u32, v: u32| (u.min(v) * 31 + u.max(v)).wrapping_add(key).wrapping_mul(0x9E37_79B1) >> 16;
         let taken = |u: u32, v: u32| hash(u, v) % 100 < share;
         let found = together(&loops, Weight::Area, &taken);
         let value = found.as_ref().map_or(f64::INFINITY, |triangles| area(&loops, triangles));
-        // Just above, so that it is found again.
+        // The limit lies just above the value, so that the enumeration finds it again.
         let least = Exhaustive::least(&loops, Weight::Area, &taken, value * (1.0 + 1e-9));
         assert_eq!(found.is_some(), least.is_finite(), "case {case}");
         if let Some(triangles) = found {
@@ -142,18 +143,18 @@ fn area_of_one_loop_is_the_least() {
     compare_areas(cases(200), |case| vec![4 + case as usize % 3]);
 }
 
-/// How much more than the least the cost is, in the median.
+/// Returns the median ratio of the cost to the enumerated minimum.
 fn median_excess(weight: Weight, lengths: &[usize], count: u32) -> f64 {
     let mut random = fastrand::Rng::with_seed(12);
     let mut ratios = Vec::new();
     for _ in 0..count {
         let loops = rough(lengths, 0.3, &mut random);
-        let triangles = together(&loops, weight, FREE).unwrap();
+        let triangles = together(&loops, weight, NOTHING_TAKEN).unwrap();
         assert_closes(&loops, &triangles);
         let value = Exhaustive::cost(&loops, weight, &triangles);
         let own = cost(&loops, &triangles, weight).unwrap().value();
         assert!((own - value).abs() <= 1e-9 * value, "{own}, {value}");
-        let least = Exhaustive::least(&loops, weight, FREE, value * (1.0 + 1e-9));
+        let least = Exhaustive::least(&loops, weight, NOTHING_TAKEN, value * (1.0 + 1e-9));
         assert!(value >= least * (1.0 - 1e-9));
         ratios.push(value / least);
     }
@@ -177,14 +178,14 @@ fn an_annulus_of_two_circles_is_a_belt() {
         let mut loops = vec![circle(n, 1.0, DVec3::ZERO, DVec3::Z), circle(n, 1.0, DVec3::Z * height, DVec3::Z)];
         loops[1].points.reverse();
         loops[1].normals.reverse();
-        // Each edge starts at what was its end.
+        // Each edge now starts at its former end.
         loops[1].across[..n - 1].reverse();
         let Polygon { points, across, normals, .. } = &mut loops[1];
         [points, across, normals].into_iter().for_each(|of| of.rotate_left(turn));
         let belt = 2.0 * (TAU / 2.0 / n as f64).sin() * height * n as f64;
-        // The largest bend is the same for others, too.
+        // The largest bend does not distinguish the belt from others.
         for weight in [Weight::Continuation, Weight::AreaAndBend, Weight::Area] {
-            let triangles = together(&loops, weight, FREE).unwrap();
+            let triangles = together(&loops, weight, NOTHING_TAKEN).unwrap();
             assert_closes(&loops, &triangles);
             let area = area(&loops, &triangles);
             assert!((area - belt).abs() <= 1e-9 * belt, "{weight:?} {n}: {area}, {belt}");
@@ -193,19 +194,19 @@ fn an_annulus_of_two_circles_is_a_belt() {
 }
 
 #[test]
-fn loops_side_by_side_are_zipped_whatever_their_thinned_ones_say() {
+fn loops_side_by_side_are_zipped_even_if_thinned_loops_are_not() {
     let n = 300;
     let height = 2.0 / n as f64;
     let mut loops = vec![circle(n, 1.0, DVec3::ZERO, DVec3::Z), circle(n, 1.0, DVec3::Z * height, DVec3::Z)];
     loops[1].points.reverse();
-    // Normals as of a surface that crosses the belt: the thinned loops get two discs and a tube.
-    let triangles = together(&loops, Weight::Continuation, FREE).unwrap();
+    // The normals fit a surface across the belt: the thinned loops get two discs and a tube.
+    let triangles = together(&loops, Weight::Continuation, NOTHING_TAKEN).unwrap();
     assert_closes(&loops, &triangles);
     assert!(area(&loops, &triangles) <= 1.1 * TAU * height);
 }
 
-/// A size for unoptimised builds, and one for the others.
-fn of_size(small: usize, full: usize) -> usize {
+/// Returns a smaller size for unoptimised builds.
+fn build_size(small: usize, full: usize) -> usize {
     if cfg!(debug_assertions) { small } else { full }
 }
 
@@ -215,16 +216,16 @@ fn loops_of_any_number_and_length_are_closed() {
     for (k, n, noise) in [
         (2, 40, 0.1),
         (3, 5, 0.5),
-        (3, of_size(26, 40), 0.01),
+        (3, build_size(26, 40), 0.01),
         (4, 4, 0.5),
         (5, 9, 0.1),
         (6, 12, 0.01),
-        (of_size(7, 9), 4, 0.2),
+        (build_size(7, 9), 4, 0.2),
     ] {
         let lengths: Vec<_> = (0..k).map(|_| random.usize(n / 2 + 2..=n + 1)).collect();
         let loops = rough(&lengths, noise, &mut random);
         for weight in [WEIGHTS[k % 4], WEIGHTS[(k + 2) % 4]] {
-            let triangles = together(&loops, weight, FREE);
+            let triangles = together(&loops, weight, NOTHING_TAKEN);
             assert_closes(&loops, &triangles.unwrap_or_else(|| panic!("{weight:?} {lengths:?}")));
         }
     }
@@ -233,7 +234,7 @@ fn loops_of_any_number_and_length_are_closed() {
 #[test]
 fn taken_chords_are_kept_out() {
     let mut random = fastrand::Rng::with_seed(14);
-    for lengths in [vec![9, 30], vec![12, 7, 8], vec![of_size(60, 100), of_size(40, 60)], vec![3, 4, 5, 4]] {
+    for lengths in [vec![9, 30], vec![12, 7, 8], vec![build_size(60, 100), build_size(40, 60)], vec![3, 4, 5, 4]] {
         let loops = rough(&lengths, 0.01, &mut random);
         let mut taken = Vec::new();
         for _ in 0..2 {
@@ -251,7 +252,7 @@ fn taken_chords_are_kept_out() {
     }
 }
 
-/// A star with `n` corners, in the plane of `x` and `y`; clockwise if it is an inner loop.
+/// Returns a star with `n` corners in the plane of `x` and `y`; clockwise for an inner loop.
 fn star(n: usize, radius: f64, centre: DVec3, [x, y]: [DVec3; 2], is_inner: bool) -> Polygon {
     let at = |i: usize| {
         let (r, t) = (radius * [1.0, 0.6][i % 2], TAU * i as f64 / n as f64);
@@ -281,7 +282,7 @@ fn nested_planar_loops_are_filled_without_overlaps() {
         let exact = sine * (1.0 - k as f64 * 0.15 * 0.15);
         let points: Vec<_> = loops.iter().flat_map(|polygon| polygon.points.clone()).collect();
         for weight in WEIGHTS {
-            let triangles = together(&loops, weight, FREE).unwrap();
+            let triangles = together(&loops, weight, NOTHING_TAKEN).unwrap();
             assert_closes(&loops, &triangles);
             let area = area(&loops, &triangles);
             assert!((area - exact).abs() <= 1e-9 * exact, "{weight:?} {n} {k}: {area}, {exact}");
@@ -304,15 +305,15 @@ fn degenerate_loops_come_to_an_end() {
         for k in 2..=3 {
             let loops: Vec<_> = lengths[..k].iter().map(|&n| line(n)).collect();
             for weight in [Weight::Continuation, Weight::Area] {
-                if let Some(triangles) = together(&loops, weight, FREE) {
+                if let Some(triangles) = together(&loops, weight, NOTHING_TAKEN) {
                     assert_closes(&loops, &triangles);
                 }
             }
         }
     }
     let slit = flat(vec![DVec3::ZERO, DVec3::X]);
-    assert_eq!(together(&[slit, circle(4, 1.0, DVec3::Z, DVec3::Z)], Weight::Area, FREE), None);
-    assert_eq!(together(&[], Weight::Area, FREE), None);
+    assert_eq!(together(&[slit, circle(4, 1.0, DVec3::Z, DVec3::Z)], Weight::Area, NOTHING_TAKEN), None);
+    assert_eq!(together(&[], Weight::Area, NOTHING_TAKEN), None);
     let loops = rings(2, 4, 2.0);
     assert_eq!(together(&loops, Weight::Area, &|_, _| true), None);
 }
@@ -324,12 +325,15 @@ fn costs_tell_whether_loops_belong_together() {
         for (polygon, z) in loops.iter_mut().zip([0.0, distance]) {
             *polygon = circle(30, 1.0, DVec3::Z * z, if z > 0.0 { -DVec3::Z } else { DVec3::Z });
         }
-        let joined = together(&loops, Weight::Area, FREE).unwrap();
+        let joined = together(&loops, Weight::Area, NOTHING_TAKEN).unwrap();
         assert_closes(&loops, &joined);
         let mut apart = Vec::new();
         for (polygon, first) in loops.chunks(1).zip([0, 30]) {
             apart.extend(
-                together(polygon, Weight::Area, FREE).unwrap().iter().map(|corners| corners.map(|v| v + first)),
+                together(polygon, Weight::Area, NOTHING_TAKEN)
+                    .unwrap()
+                    .iter()
+                    .map(|corners| corners.map(|v| v + first)),
             );
         }
         let [joined, apart] = [joined, apart].map(|triangles| cost(&loops, &triangles, Weight::Area).unwrap());
@@ -341,24 +345,25 @@ fn costs_tell_whether_loops_belong_together() {
 #[test]
 fn polygons_cost_what_their_surfaces_do() {
     let mut random = fastrand::Rng::with_seed(15);
-    let (two, three) = (vec![of_size(40, 70), of_size(35, 61)], vec![of_size(15, 30), of_size(12, 24), 20]);
+    let (two, three) = (vec![build_size(40, 70), build_size(35, 61)], vec![build_size(15, 30), build_size(12, 24), 20]);
     for lengths in [vec![5, 6], two, vec![4, 5, 4], three, vec![6, 4, 5, 7]] {
         let loops = rough(&lengths, 0.1, &mut random);
-        let (coarse, kept) = thinned(&loops).unwrap().unwrap();
+        let (coarse, kept) = thin_loops(&loops).unwrap().unwrap();
         let [rims, coarse_rims] = [&loops, &coarse].map(|loops| Rims::new(loops).unwrap());
         for weight in WEIGHTS {
-            let task = |rims| Task { rims, weight, measure: Rims::measure(rims), taken: FREE, is_finest: true };
+            let task =
+                |rims| Task { rims, weight, measure: Rims::measure(rims), taken: NOTHING_TAKEN, is_finest: true };
             let (task, coarse_task) = (task(&rims), task(&coarse_rims));
-            let few = closed(&coarse, &coarse_task, &Job::default()).unwrap().unwrap();
-            let refined = with_ears(&task, &few, &kept).unwrap().unwrap();
-            let all = closed(&loops, &task, &Job::default()).unwrap().unwrap();
+            let few = close_loops(&coarse, &coarse_task, &Job::default()).unwrap().unwrap();
+            let refined = refine_with_ears(&task, &few, &kept).unwrap().unwrap();
+            let all = close_loops(&loops, &task, &Job::default()).unwrap().unwrap();
             assert!(!task.is_less(&refined.cost, &all.cost), "{weight:?} {lengths:?}");
             for found in [refined, all] {
-                let triangles = found.opened.named(&found.triangles).unwrap();
+                let triangles = found.opened.to_vertices(&found.triangles).unwrap();
                 assert_closes(&loops, &triangles);
                 let [own, other] = [found.cost, task.cost(&triangles).unwrap()].map(|cost| cost.value());
                 assert!((own - other).abs() <= 1e-9 * other, "{weight:?} {lengths:?}: {own}, {other}");
-                // Cut open elsewhere it is still the same surface.
+                // Cut open elsewhere, it stays the same surface.
                 let old: Vec<_> = found.opened.tree().unwrap().iter().map(|&(ends, _)| ends).collect();
                 let tree = far_tree(&task, &triangles, &old).unwrap();
                 assert!(tree != old && tree.len() == old.len());
@@ -370,13 +375,13 @@ fn polygons_cost_what_their_surfaces_do() {
                     triangles.sort_unstable();
                     triangles
                 };
-                assert_eq!(sorted(&opened.named(&places).unwrap()), sorted(&triangles));
-                // Forwards round the polygon, as the triangles run.
+                assert_eq!(sorted(&opened.to_vertices(&places).unwrap()), sorted(&triangles));
+                // The triangles must keep their orientation.
                 let directed = |triangles: &[[u32; 3]]| {
                     let turned = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]].into_iter().min();
                     triangles.iter().filter_map(turned).collect::<std::collections::BTreeSet<_>>()
                 };
-                assert_eq!(directed(&opened.named(&places).unwrap()), directed(&triangles));
+                assert_eq!(directed(&opened.to_vertices(&places).unwrap()), directed(&triangles));
             }
         }
     }
@@ -384,7 +389,7 @@ fn polygons_cost_what_their_surfaces_do() {
 
 #[test]
 fn a_long_thin_tunnel_is_found() {
-    // The rims of two caps cut off a ball, opposite each other, and a tunnel through it.
+    // The rims of two opposite caps cut off a ball, and a tunnel through it.
     for n in [8, 20, 40].into_iter().take(if cfg!(debug_assertions) { 1 } else { 3 }) {
         let rim = |sign: f64| {
             let mut polygon = circle(n, 0.34, DVec3::Z * 0.94 * sign, DVec3::Z * sign);
@@ -393,10 +398,10 @@ fn a_long_thin_tunnel_is_found() {
             polygon
         };
         let loops = [rim(1.0), rim(-1.0)];
-        // Each third vertex is cut off by an old face.
+        // An old face cuts off each third vertex.
         let taken = |u: u32, v: u32| u.abs_diff(v) == 2 && u.min(v).is_multiple_of(3);
         for weight in [Weight::Continuation, Weight::Area] {
-            for taken in [FREE, &taken] {
+            for taken in [NOTHING_TAKEN, &taken] {
                 let triangles = together(&loops, weight, taken).unwrap_or_else(|| panic!("{weight:?} {n}"));
                 assert_closes(&loops, &triangles);
             }

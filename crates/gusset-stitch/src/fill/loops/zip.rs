@@ -1,28 +1,28 @@
-//! Two loops that run side by side, closed like a zip.
+//! Zipping of two loops that run side by side.
 //!
-//! Where they are nearer to each other than the vertices of thinned loops, these say nothing of the
-//! way between them. From the shortest bridge there is the triangles go round, on that loop where
-//! the next bridge is shorter; what they are good for is seen by their cost.
+//! If the loops are nearer to each other than the vertices of the thinned loops, the thinned loops
+//! do not resolve the gap. From the shortest bridge, triangles advance around on the loop with the
+//! shorter next bridge. The result is kept if it costs less.
 
-use super::super::chords::Near;
+use super::super::chords::NearChords;
 use super::super::search::bands;
-use super::improve::{FREE, REPEATS};
+use super::improve::{NOTHING_TAKEN, REPEATS};
 use super::opened::Opened;
 use super::task::{Closed, Repeats, Task};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
-/// Steps from loop to loop towards a bridge that is shorter than those near it.
+/// Number of steps from loop to loop towards a local shortest bridge.
 const MAX_STEPS: usize = 4;
 
-/// What is found near the zip, if it is better than the best so far; that otherwise, and for other
-/// than two loops.
+/// Returns the best triangulation near the zip if it costs less than `best`, or else `best`.
+/// Returns `best` unless there are exactly two loops.
 ///
 /// O(n log n).
-pub(super) fn zipped(task: &Task<'_>, best: Closed, job: &Job<'_>) -> Result<Closed> {
+pub(super) fn zip_loops(task: &Task<'_>, best: Closed, job: &Job<'_>) -> Result<Closed> {
     let rims = task.rims;
-    let named = best.opened.named(&best.triangles)?;
+    let named = best.opened.to_vertices(&best.triangles)?;
     let sides = named.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let bridges = sides.filter(|&[u, v]| rims.ring[u as usize] < rims.ring[v as usize]);
     let length = |[u, v]: [u32; 2]| rims.squared(u, v);
@@ -30,7 +30,7 @@ pub(super) fn zipped(task: &Task<'_>, best: Closed, job: &Job<'_>) -> Result<Clo
     let Some([mut u, mut v]) = shortest.filter(|_| rims.loops() == 2) else {
         return Ok(best);
     };
-    // To and fro, to where the loops are near each other.
+    // Step to and fro, to a place where the loops are near each other.
     let nearest = |ring: usize, to: u32| {
         let free = rims.range(ring).filter(|&w| !(task.taken)(to, w));
         free.min_by(|&a, &b| length([a, to]).total_cmp(&length([b, to]))).unwrap_or(to)
@@ -39,20 +39,20 @@ pub(super) fn zipped(task: &Task<'_>, best: Closed, job: &Job<'_>) -> Result<Clo
         v = nearest(1, u);
         u = nearest(0, v);
     }
-    let opened = Opened::loop_of(rims.range(0))?.joined(u as usize, rims.range(1), v)?;
-    let triangles = zip(task, &opened, rims.range(1).len())?;
-    if !task.is_less(&task.cost(&opened.named(&triangles)?)?, &best.cost) {
+    let opened = Opened::from_loop(rims.range(0))?.with_loop(u as usize, rims.range(1), v)?;
+    let triangles = zip_triangles(task, &opened, rims.range(1).len())?;
+    if !task.is_less(&task.cost(&opened.to_vertices(&triangles)?)?, &best.cost) {
         return Ok(best);
     }
     let n = opened.len();
     let same = alloc::collect((0..n).map(|place| place as u32))?;
-    let chords = Near::new(n, &triangles, &same, bands(n).next().unwrap_or(1))?;
-    let found = task.search(opened, &chords, FREE, Some(&best.cost), Repeats::One(REPEATS), job)?;
+    let chords = NearChords::new(n, &triangles, &same, bands(n).next().unwrap_or(1))?;
+    let found = task.search(opened, &chords, NOTHING_TAKEN, Some(&best.cost), Repeats::One(REPEATS), job)?;
     Ok(found.unwrap_or(best))
 }
 
-/// From the last edge of the polygon on, `first` being the place of the other end of the bridge.
-fn zip(task: &Task<'_>, opened: &Opened, first: usize) -> Result<Vec<[u32; 3]>> {
+/// Zips from the last edge of the polygon. `first` is the place of the other end of the bridge.
+fn zip_triangles(task: &Task<'_>, opened: &Opened, first: usize) -> Result<Vec<[u32; 3]>> {
     let squared = |i: usize, k: usize| task.rims.squared(opened.order[i], opened.order[k]);
     let (mut i, mut k) = (0, opened.len() - 1);
     let mut triangles = alloc::with_capacity(k - 1)?;

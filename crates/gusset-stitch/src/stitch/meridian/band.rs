@@ -1,5 +1,5 @@
-//! The part of the lattice that is searched: for each row i the columns j from `low[i]` to
-//! `high[i]`, both non-decreasing.
+//! The searched part of the lattice: for each row i the columns from `low[i]` to `high[i]`, both
+//! non-decreasing.
 
 use super::rim_pair::Pair;
 use gusset_base::alloc;
@@ -17,9 +17,9 @@ impl Band {
         Ok(Band { low: alloc::filled(0, n + 1)?, high: alloc::filled(m as u32, n + 1)? })
     }
 
-    /// The nodes within `width` rows and columns of a path from (0, 0) to (n, m), of whose nodes
-    /// some may be left out: the path is taken to fill the rectangle between one node and the next.
-    pub(super) fn around(path: &[Pair], n: usize, m: usize, width: usize) -> Result<Self> {
+    /// Creates the band of nodes within `width` rows and columns of a path from (0, 0) to (n, m).
+    /// The path may omit nodes: it fills the rectangle between two consecutive nodes.
+    pub(super) fn around_path(path: &[Pair], n: usize, m: usize, width: usize) -> Result<Self> {
         let (mut low, mut high) = (alloc::filled(u32::MAX, n + 1)?, alloc::filled(0u32, n + 1)?);
         for step in path.windows(2) {
             let ([i, j], [i2, j2]) = (step[0], step[1]);
@@ -28,7 +28,8 @@ impl Band {
                 high[row] = high[row].max(j2);
             }
         }
-        // Both are monotone: the least column within `width` rows is that of the first of them.
+        // Both bounds are monotone: the least column within `width` rows belongs to the first of
+        // these rows.
         Ok(Band {
             low: alloc::collect((0..n + 1).map(|i| low[i.saturating_sub(width)].saturating_sub(width as u32)))?,
             high: alloc::collect((0..n + 1).map(|i| (high[n.min(i + width)] as usize + width).min(m) as u32))?,
@@ -47,8 +48,9 @@ impl Band {
         self.low[i] as usize..=self.high[i] as usize
     }
 
-    /// The nodes of a path on the border of the band that are not on the border of the lattice.
-    pub(super) fn touched_by(&self, path: &[Pair]) -> Result<Vec<Pair>> {
+    /// Returns the path's nodes on the border of the band, except those on the border of the
+    /// lattice.
+    pub(super) fn border_nodes(&self, path: &[Pair]) -> Result<Vec<Pair>> {
         let (n, m) = (self.last_row(), self.last_column());
         let touching = |&[i, j]: &Pair| {
             let i = i as usize;
@@ -59,7 +61,7 @@ impl Band {
         alloc::gather(path.iter().filter(|node| touching(node)).copied())
     }
 
-    /// Adds all within `width` rows and columns of some nodes.
+    /// Adds all nodes within `width` rows and columns of the given nodes.
     pub(super) fn widen(&mut self, nodes: &[Pair], width: usize) {
         let (n, m, w) = (self.last_row(), self.last_column(), width as u32);
         for &[i, j] in nodes {
@@ -67,7 +69,8 @@ impl Band {
             self.low[rows.clone()].iter_mut().for_each(|low| *low = (*low).min(j.saturating_sub(w)));
             self.high[rows].iter_mut().for_each(|high| *high = (*high).max(j.saturating_add(w).min(m as u32)));
         }
-        // Neither goes back: what one row has, all rows below or above it have too.
+        // Restore monotonicity: every row includes the low columns of later rows and the high
+        // columns of earlier rows.
         for i in (0..n).rev() {
             self.low[i] = self.low[i].min(self.low[i + 1]);
         }
@@ -76,12 +79,12 @@ impl Band {
         }
     }
 
-    /// The number of nodes in row `i`.
+    /// Returns the number of nodes in row `i`.
     pub(super) fn width(&self, i: usize) -> usize {
         (self.high[i] - self.low[i]) as usize + 1
     }
 
-    /// Rows 1..=N in blocks of at most `nodes` nodes, or of one row.
+    /// Divides the rows 1..=N into blocks with at most `nodes` nodes, or with one row.
     pub(super) fn blocks(&self, nodes: usize) -> Result<Vec<Range<usize>>> {
         let mut blocks: Vec<Range<usize>> = Vec::new();
         let mut room = 0;

@@ -1,22 +1,23 @@
-//! Costs that lie between neighbouring triangles.
+//! Costs between neighbouring triangles.
 //!
-//! **Smooth.** Over all edges shared by two triangles of the strip, the sum of (1 - cos t) times
-//! the edge's length, t being the angle between their normals. For small angles that is t^2 / 2
-//! times the length, like the energy of a bent plate: many small bends cost less than one sharp
-//! one. Along the rims the second triangle is the old face, where it is known.
+//! **Smooth** is the sum of (1 - cos t) times the edge's length over all inner edges of the strip.
+//! Here t is the angle between the normals of the edge's triangles. For small angles this is t^2 /
+//! 2 times the length, like the energy of a bent plate: many small bends cost less than one sharp
+//! bend. Along the rims the second triangle is the old face, if it is known.
 //!
-//! **Continuation.** The sum of 2 sin(t / 2), whatever the edge's length, with [`RIM_WEIGHT`] along
-//! the rims: nearly linear in t, so that a surface may turn in one place rather than a little
-//! everywhere, as where the old faces themselves go on across the gap. To it comes, over the
-//! triangles, the square of the distance that the surface which was there is likely to have had from
-//! them: a meridian from A_i to B_j whose ends lie h and k off each other's tangent planes bulges by
-//! b^2 = (h^2 + k^2) / 32 in the middle, as the cubic with these tangents does, and a triangle
-//! between two such has the mean square (b1^2 + b1 b2 + b2^2) / 3. All lengths are in mean edges of
-//! the rims. Weights and the powers of t and of the length are those whose strips were nearest to
-//! what had been cut out of closed meshes (`make bench ONLY=truth`).
+//! **Continuation** has two terms. The first is the sum of 2 sin(t / 2), with the weight
+//! [`RIM_WEIGHT`] along the rims. It does not depend on the edge's length, and is nearly linear in
+//! t. So a surface may turn in one place rather than a little everywhere, as where the old faces
+//! continue across the gap. The second term is the mean square distance of the triangles from the
+//! likely old surface. A meridian from A_i to B_j has ends at the distances h and k from each
+//! other's tangent planes. Like the cubic with these tangents, it bulges by b^2 = (h^2 + k^2) / 32
+//! in the middle. A triangle between two meridians has the mean square (b1^2 + b1 b2 + b2^2) / 3.
+//! All lengths are in mean edges of the rims. The weights, and the powers of t and of the length,
+//! were tuned so that strips come nearest to the parts cut out of closed meshes (`make bench
+//! ONLY=truth`).
 //!
-//! A triangle without area counts as perpendicular to its neighbours. All loops over the nodes of a
-//! row are without branches, so that they run on vectors.
+//! A degenerate triangle counts as perpendicular to its neighbours. All loops over the nodes of a
+//! row are free of branches, so that they vectorise.
 
 use super::metric::{Line, StepCosts, point};
 use super::rim_pair::{Pair, RimPair};
@@ -25,14 +26,15 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use std::ops::Range;
 
-/// What bends along the rims cost more than those across meridians, for [`Bends::continuation`].
+/// The weight of bends along the rims relative to bends across meridians, for
+/// [`Bends::continuation`].
 const RIM_WEIGHT: f64 = 4.0;
 
 pub(super) struct Bends<'a> {
     a: &'a [DVec3],
     b: Line,
-    /// The normals of the faces along the rims, 0 where they are not known: at `k` that of the edge
-    /// which ends at place k.
+    /// The unit normals of the faces along the rims, 0 if unknown. The normal at `k` belongs to the
+    /// edge that ends at place k.
     sides: [Line; 2],
     /// Weight of the bends along the rims.
     rim_weight: f64,
@@ -41,22 +43,21 @@ pub(super) struct Bends<'a> {
     continuation: Option<Tangents>,
 }
 
-/// What a surface that continues others is measured by.
+/// The quantities for the likely old surface.
 struct Tangents {
-    /// The normals at the vertices of either rim.
+    /// The normals at the vertices of both rims.
     normals: [Line; 2],
-    /// One over the mean edge of the rims.
+    /// The reciprocal of the mean edge of the rims.
     per_edge: f64,
 }
 
-/// What the steps into the nodes (i, j) of one row add, by j.
+/// The quantities of the steps into the nodes (i, j) of one row, by j.
 pub(super) struct Row {
-    /// The unit normals of the triangles A_i A_i-1 B_j and A_i B_j-1 B_j; 0 for one that does not
-    /// exist or has no area.
+    /// The unit normals of the triangles A_i A_i-1 B_j and A_i B_j-1 B_j; 0 for a missing or
+    /// degenerate triangle.
     normals: [Line; 2],
     areas: [Vec<f64>; 2],
-    /// Of each node's meridian the squared bulge, or the length if that is what bends are weighted
-    /// by.
+    /// The squared bulge of each node's meridian, or its length if bends are weighted by length.
     meridians: Vec<f64>,
 }
 
@@ -69,7 +70,7 @@ impl Row {
 }
 
 impl<'a> Bends<'a> {
-    /// The least bends; `tie`: see [`tie_break`].
+    /// Minimises bends. For `tie` see [`tie_break`].
     pub(super) fn smooth(rims: &RimPair<'a>, tie: f64) -> Result<Self> {
         let &RimPair { a, b, sides, .. } = rims;
         let ends = |points: &[DVec3], side: Option<&[DVec3]>| {
@@ -82,7 +83,7 @@ impl<'a> Bends<'a> {
         Ok(Bends { a, b: Line::new(b)?, sides, rim_weight, tie, continuation: None })
     }
 
-    /// The best continuation of both surfaces.
+    /// Maximises the continuation of both surfaces.
     pub(super) fn continuation(rims: &RimPair<'a>, tie: f64) -> Result<Self> {
         let &RimPair { a, b, sides, closed, .. } = rims;
         let length = |line: &[DVec3]| line.windows(2).map(|edge| edge[0].distance(edge[1])).sum::<f64>();
@@ -98,9 +99,9 @@ impl<'a> Bends<'a> {
         Ok(Bends { rim_weight, continuation: Some(Tangents { normals, per_edge }), ..least })
     }
 
-    /// The costs of the steps into the nodes (i, j) for j in `range`: `steps[0]` of those that
-    /// follow a step on A, `steps[1]` a step on B. `rows`: what this left of row i - 1, and what it
-    /// leaves of row i.
+    /// Computes the costs of the steps into the nodes (i, j) for j in `range`: `steps[0]` for those
+    /// that follow a step on A, and `steps[1]` for those that follow a step on B. Reads row i - 1
+    /// from `rows[0]`, and writes row i to `rows[1]`.
     pub(super) fn measure(&self, i: usize, range: Range<usize>, rows: [&mut Row; 2], steps: &mut [StepCosts; 2]) {
         self.triangles(i, range.clone(), rows[1], &mut steps[0].squared);
         match &self.continuation {
@@ -112,7 +113,7 @@ impl<'a> Bends<'a> {
         }
     }
 
-    /// The triangles of row i; the meridians' lengths, and their squares.
+    /// Computes the triangles of row i, the meridians' lengths, and their squares.
     fn triangles(&self, i: usize, range: Range<usize>, row: &mut Row, squared: &mut [f64]) {
         let (here, back) = (self.a[i], self.a[i.saturating_sub(1)] - self.a[i]);
         let b = self.b.part(range.clone());
@@ -128,7 +129,7 @@ impl<'a> Bends<'a> {
             length[j] = squared[j].sqrt();
             [x[j], y[j], z[j]] = double.normalize_or_zero().to_array();
         }
-        // Into j = 0 no step on B leads.
+        // Steps on B start at j = 1.
         let (from, end) = (range.start.max(1), range.end);
         let (before, b) = (self.b.part(from - 1..end - 1), self.b.part(from..end));
         let [x, y, z] = by_b.part_mut(from..end);
@@ -173,8 +174,8 @@ impl<'a> Bends<'a> {
         steps.measure::<CONTINUES>(self, (i, from) == (0, 1), rim, costs);
     }
 
-    /// The bend across the meridian where a closed strip begins, between its last triangle and its
-    /// first one, by steps on the rims that `last_on_b` and `first_on_b` say.
+    /// Returns the bend across the meridian where a closed strip begins, between the last triangle
+    /// and the first. `last_on_b` and `first_on_b` tell the rims of the last and the first step.
     pub(super) fn across_seam(&self, last_on_b: bool, first_on_b: bool) -> f64 {
         let (n, m) = (self.a.len() - 1, self.b.len() - 1);
         let b = |j: usize| self.b.get(j);
@@ -189,7 +190,8 @@ impl<'a> Bends<'a> {
 }
 
 impl Tangents {
-    /// The squared bulges of the meridians, in squared mean edges, and the areas in the same unit.
+    /// Computes the squared bulges of the meridians in squared mean edges, and converts the areas
+    /// to the same unit.
     fn bulges(&self, here: DVec3, b: &Line, i: usize, range: Range<usize>, row: &mut Row) {
         let square = self.per_edge * self.per_edge;
         let normal = self.normals[0].get(i);
@@ -203,23 +205,23 @@ impl Tangents {
     }
 }
 
-/// The steps on one rim into some nodes of a row.
+/// The steps on one rim into consecutive nodes of a row.
 struct Steps<'a> {
-    /// Of the triangles that they add.
+    /// The normals of the added triangles.
     normals: [&'a [f64]; 3],
     areas: &'a [f64],
-    /// Of the nodes that they come from, and of those that they lead to; see [`Row`].
+    /// The quantities of the meridians before and after each step; see [`Row`].
     meridians: [&'a [f64]; 2],
-    /// The normals of the triangles before, by steps on A and on B.
+    /// The normals of the preceding triangles, by steps on A and on B.
     before: [[&'a [f64]; 3]; 2],
     /// The squared lengths of the meridians.
     squared: &'a [f64],
 }
 
 impl Steps<'_> {
-    /// What they cost after a step on A, and on B. `rim`: the normal of the face along the rim and
-    /// the length of the edge. `begins`: the first of them is the first step of all; nothing comes
-    /// before it, and the seam is added at the end.
+    /// Computes the costs after a step on A, and after a step on B. `rim` returns the normal of the
+    /// face along the rim and the length of the edge. If `begins`, the first step is the first of
+    /// the path: no triangle precedes it, and the seam is added at the end.
     #[inline(always)]
     fn measure<const CONTINUES: bool>(
         &self,
@@ -249,14 +251,14 @@ impl Steps<'_> {
     }
 }
 
-/// The bend between triangles with normals `p` and `q` across an edge.
+/// Returns the bend between triangles with normals `p` and `q` across an edge.
 #[inline(always)]
 fn bend<const CONTINUES: bool>(p: DVec3, q: DVec3, length: f64) -> f64 {
     if CONTINUES { p.distance(q) } else { length * (1.0 - p.dot(q)) }
 }
 
-/// The normals at the vertices of a rim, the mean of its two faces there; of a closed rim the last
-/// point is the first again.
+/// Returns the normals at the vertices of a rim, each the mean over its two faces on the rim. The
+/// last point of a closed rim repeats the first.
 fn vertex_normals(sides: &[DVec3], points: usize, closed: bool) -> Result<Vec<DVec3>> {
     let around = |k: usize| match (k.checked_sub(1), sides.get(k)) {
         (Some(before), Some(&after)) => sides[before] + after,
@@ -268,8 +270,8 @@ fn vertex_normals(sides: &[DVec3], points: usize, closed: bool) -> Result<Vec<DV
     alloc::collect((0..points).map(|k| around(k).normalize_or_zero()))
 }
 
-/// A weight for the meridians' squared lengths, as on flat ground all strips are alike, and
-/// round-off would choose: on the paper's own strip they come to 2^-20 of the meridians' lengths.
+/// Returns a weight for the meridians' squared lengths. In the plane all strips have equal bends,
+/// and round-off would decide. On the paper's strip this term is 2^-20 of the meridians' lengths.
 pub(super) fn tie_break(rims: &RimPair<'_>, paper: &[Pair]) -> f64 {
     let squared = |&[i, j]: &Pair| rims.a[i as usize].distance_squared(rims.b[j as usize]);
     let (lengths, squares) =

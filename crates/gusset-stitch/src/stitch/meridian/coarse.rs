@@ -1,10 +1,9 @@
-//! Coarse-to-fine search of a lattice too large to be searched whole.
+//! Coarse-to-fine search of large lattices.
 //!
-//! Vertices of the rims are removed, those on short edges first, until the lattice is
-//! small enough for the exact search. Each path then bounds the search of the next finer
-//! lattice to a band round it, which is widened where the path touches the band's border or
-//! where forbidden meridians close it. Nearly optimal, not exact; O(N + M) nodes for each
-//! level.
+//! Rim vertices are removed, those on short edges first, until the lattice is small enough for the
+//! exact search. Each path bounds the search on the next finer lattice to a band around it. The
+//! band is widened where the path touches its border, and where forbidden meridians close it. The
+//! result is nearly optimal, not exact; O(N + M) nodes for each level.
 
 use super::band::Band;
 use super::rim_pair::{Pair, RimPair, STAGE};
@@ -13,23 +12,24 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
-/// A lattice of at most so many nodes is searched whole.
+/// Lattices with at most this number of nodes are searched exactly.
 const MAX_COARSEST_NODES: usize = 1 << 16;
 
-/// A rim of fewer segments than this is not thinned out further.
+/// Rims with fewer segments are not thinned further.
 const MIN_SEGMENTS: usize = 32;
 
+/// Half the width of the band around the coarser path.
 const HALF_BAND: usize = 8;
 
-/// Half the width of the band where the path touched the border of a narrower one, at most.
+/// Largest half-width of a band that is widened where the path touches its border.
 const MAX_HALF_BAND: usize = 512;
 
-/// If more than one in so many nodes of the path touch the border, the whole band is widened.
+/// The whole band is widened if more than one in this number of path nodes touches the border.
 const NODES_PER_BORDER_NODE: usize = 128;
 
-/// Searches the lattice coarse to fine. `search` finds the best path within a band of the lattice
-/// of some rims, the given ones thinned out. Time and memory: the search of about
-/// (2 HALF_BAND + 1) (N + M) nodes, and half as many, and so on.
+/// Searches the lattice from coarse to fine. `search` returns the best path within a band, for the
+/// given rims or for thinned ones. Time and memory: the search of about (2 HALF_BAND + 1) (N + M)
+/// nodes on the finest level, and half as many on each coarser level.
 pub(super) fn coarse_to_fine(
     rims: &RimPair<'_>,
     search: &impl Fn(&RimPair<'_>, &Band, &Job<'_>) -> Result<Option<Vec<Pair>>>,
@@ -40,15 +40,15 @@ pub(super) fn coarse_to_fine(
         return search(rims, &Band::full(n, m)?, job);
     }
     job.step(0.0, STAGE)?;
-    let (kept_a, kept_b) = (thinned(rims.a)?, thinned(rims.b)?);
+    let (kept_a, kept_b) = (thin_out(rims.a)?, thin_out(rims.b)?);
     job.step(0.0, STAGE)?;
     let points = |all: &[DVec3], kept: &[u32]| alloc::collect(kept.iter().map(|&i| all[i as usize]));
     let (a, b) = (points(rims.a, &kept_a)?, points(rims.b, &kept_b)?);
     let sides = match rims.sides {
-        Some([side_a, side_b]) => Some([thinned_sides(side_a, &kept_a)?, thinned_sides(side_b, &kept_b)?]),
+        Some([side_a, side_b]) => Some([thin_out_sides(side_a, &kept_a)?, thin_out_sides(side_b, &kept_b)?]),
         None => None,
     };
-    // A forbidden meridian forbids nothing in the large.
+    // Forbidden meridians do not matter on the coarse levels.
     let sides = sides.as_ref().map(|[side_a, side_b]| [side_a.as_slice(), side_b.as_slice()]);
     let coarse = RimPair { a: &a, b: &b, closed: rims.closed, forbidden: &[], sides, penalties: &[] };
     let Some(mut path) = coarse_to_fine(&coarse, search, &job.part(0.0, 0.4))? else {
@@ -56,36 +56,36 @@ pub(super) fn coarse_to_fine(
     };
     job.step(0.4, STAGE)?;
     path.iter_mut().for_each(|[i, j]| (*i, *j) = (kept_a[*i as usize], kept_b[*j as usize]));
-    let mut band = Band::around(&path, n, m, HALF_BAND)?;
+    let mut band = Band::around_path(&path, n, m, HALF_BAND)?;
     let (mut width, mut done) = (HALF_BAND, 0.4);
     loop {
         let until = (1.0 + done) / 2.0;
         let found = search(rims, &band, &job.part(done, until))?;
         (width, done) = (4 * width, until);
         match found {
-            // Where the path runs along the border of the band, a better one may be beyond.
+            // If the path runs along the border of the band, a better path may lie beyond it.
             Some(found) => {
-                let touching = band.touched_by(&found)?;
+                let touching = band.border_nodes(&found)?;
                 if touching.is_empty() || width > MAX_HALF_BAND {
                     return Ok(Some(found));
                 }
                 if touching.len() > found.len() / NODES_PER_BORDER_NODE {
-                    band = Band::around(&found, n, m, width)?;
+                    band = Band::around_path(&found, n, m, width)?;
                 } else {
-                    band = Band::around(&found, n, m, HALF_BAND)?;
+                    band = Band::around_path(&found, n, m, HALF_BAND)?;
                     band.widen(&touching, width);
                 }
             }
-            // Where forbidden meridians close the band, the way is farther out.
-            None if !rims.forbidden.is_empty() && width < 4 * n.max(m) => band = Band::around(&path, n, m, width)?,
+            // Forbidden meridians close the band: the path lies farther out.
+            None if !rims.forbidden.is_empty() && width < 4 * n.max(m) => band = Band::around_path(&path, n, m, width)?,
             None => return Ok(None),
         }
     }
 }
 
-/// The points that are kept, the first and the last among them: as many as are about two mean edges
-/// apart, so that crowds are thinned out and long edges stay. At most three quarters of many.
-fn thinned(points: &[DVec3]) -> Result<Vec<u32>> {
+/// Returns the points to keep, including the first and the last. Kept points are about two mean
+/// edges apart, so that dense runs are thinned and long edges stay. Keeps at most three quarters.
+fn thin_out(points: &[DVec3]) -> Result<Vec<u32>> {
     let last = points.len() - 1;
     if last < MIN_SEGMENTS {
         return alloc::collect((0..points.len()).map(|i| i as u32));
@@ -104,7 +104,7 @@ fn thinned(points: &[DVec3]) -> Result<Vec<u32>> {
                 length = 0.0;
             }
         }
-        // Edges of no length at all are all alike.
+        // With edges of length 0, all points are alike.
         if kept.len() <= points.len() / 4 * 3 || mean == 0.0 {
             return Ok(kept);
         }
@@ -112,8 +112,8 @@ fn thinned(points: &[DVec3]) -> Result<Vec<u32>> {
     }
 }
 
-/// The mean normals of the edges from each kept point to the next.
-fn thinned_sides(normals: &[DVec3], kept: &[u32]) -> Result<Vec<DVec3>> {
+/// Returns the mean normals of the edges from each kept point to the next.
+fn thin_out_sides(normals: &[DVec3], kept: &[u32]) -> Result<Vec<DVec3>> {
     let mean = |pair: &[u32]| normals[pair[0] as usize..pair[1] as usize].iter().sum::<DVec3>().normalize_or_zero();
     alloc::collect(kept.windows(2).map(mean))
 }

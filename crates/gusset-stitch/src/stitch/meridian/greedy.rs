@@ -1,4 +1,4 @@
-//! Meridians without a search, in O(N + M): by arc length, and greedily.
+//! Meridians without a search, in O(N + M): by arc length, and by a greedy rule.
 
 use super::rim_pair::{Pair, RimPair};
 use crate::stitch::polyline::lengths;
@@ -6,20 +6,20 @@ use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
-/// Both rims are laid out on a segment by their arc lengths, and walked at the same pace: the next
-/// step is on the rim whose next vertex comes first, on A if both come at once. O(N + M).
-pub(super) fn by_arc_length(rims: &RimPair<'_>) -> Result<Vec<Pair>> {
+/// Walks both rims at the same pace by relative arc length. The next step is on the rim whose next
+/// vertex comes first; on A if both come at once. O(N + M).
+pub(super) fn arc_length_meridians(rims: &RimPair<'_>) -> Result<Vec<Pair>> {
     let (along_a, along_b) = (parameters(rims.a)?, parameters(rims.b)?);
     walk(rims, |i, j| along_a[i + 1] <= along_b[j + 1])
 }
 
-/// The next step is the one to the shorter meridian, on A if both are equal. O(N + M).
-pub(super) fn greedily(rims: &RimPair<'_>) -> Result<Vec<Pair>> {
+/// Always steps to the shorter meridian; on A if both are equal. O(N + M).
+pub(super) fn greedy_meridians(rims: &RimPair<'_>) -> Result<Vec<Pair>> {
     let (a, b) = (rims.a, rims.b);
     walk(rims, |i, j| a[i + 1].distance_squared(b[j]) <= a[i].distance_squared(b[j + 1]))
 }
 
-/// Walks from (0, 0) to (N, M); `on_a` chooses while there is a choice.
+/// Walks from (0, 0) to (N, M). `on_a` decides while both steps are possible.
 fn walk(rims: &RimPair<'_>, on_a: impl Fn(usize, usize) -> bool) -> Result<Vec<Pair>> {
     let (n, m) = (rims.a.len() - 1, rims.b.len() - 1);
     let mut pairs = alloc::with_capacity(n + m + 1)?;
@@ -36,7 +36,8 @@ fn walk(rims: &RimPair<'_>, on_a: impl Fn(usize, usize) -> bool) -> Result<Vec<P
     Ok(pairs)
 }
 
-/// The part of the whole length that lies before each point; by index if there is no length.
+/// Returns the fraction of the length before each point, or the fraction of the index if the length
+/// is 0.
 fn parameters(points: &[DVec3]) -> Result<Vec<f64>> {
     let mut along = lengths(points, false)?;
     let (length, segments) = (along[points.len() - 1], (points.len() - 1) as f64);

@@ -1,23 +1,23 @@
-//! The paper's rule: every vertex of the longer rim gets one meridian, to the vertex of the other
-//! rim that is nearest when both rims are laid out evenly on segments of equal length.
+//! The paper's rule: every vertex of the longer rim gets one meridian. It leads to the nearest
+//! vertex of the other rim when both rims are laid out evenly on segments of equal length.
 //!
-//! Source: section on the intermediate mesh. With n segments on the longer rim and m <= n on the
-//! other, vertex i goes to the j that makes D_ij = |m i - n j| least, the later of two equal ones.
-//! In closed form j = floor((2 m i + n) / (2 n)). The printed double loop leaves out the last
-//! vertex and most other meridians (its bounds and braces are wrong), and its products overflow 32
-//! bits from about 46,000 vertices on; the division below is carried from one i to the next,
-//! without products.
+//! Source: section on the intermediate mesh. The longer rim has n segments, and the other m <= n.
+//! Vertex i is joined to the j that minimises D_ij = |m i - n j|, the later of two equal ones. In
+//! closed form j = floor((2 m i + n) / (2 n)). The printed double loop omits the last vertex and
+//! most other meridians, because its bounds and braces are wrong. Its products overflow 32 bits
+//! from about 46,000 vertices. The code below carries the division from one i to the next, without
+//! products.
 //!
-//! An open polyline of N vertices has N - 1 segments, a closed one N.
+//! An open polyline with N vertices has N - 1 segments; a closed one has N.
 
 use super::rim_pair::Pair;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
-/// The j of every i = 0..=n, for 0 <= m <= n.
+/// Returns the j of every i = 0..=n, for 0 <= m <= n.
 ///
 /// # Panics
-/// If m > n: exchange the roles, as the paper does.
+/// If m > n. Exchange the roles, as the paper does.
 pub fn index_rule(n: u32, m: u32) -> impl ExactSizeIterator<Item = u32> {
     assert!(m <= n, "the first polyline must have at least as many segments as the second");
     let (n, m) = (u64::from(n), u64::from(m));
@@ -35,7 +35,7 @@ pub fn index_rule(n: u32, m: u32) -> impl ExactSizeIterator<Item = u32> {
     })
 }
 
-/// The meridians for `n` segments on rim A and `m` on rim B; where m > n the roles are exchanged.
+/// Returns the meridians for `n` segments on rim A and `m` on rim B. Exchanges the roles if m > n.
 pub(crate) fn index_meridians(n: u32, m: u32) -> Result<Vec<Pair>> {
     if m <= n {
         alloc::collect(index_rule(n, m).enumerate().map(|(i, j)| [i as u32, j]))
@@ -49,14 +49,14 @@ mod tests {
     use super::*;
     use gusset_base::testing::cases;
 
-    /// The j with the least |m i - n j|, by trying all, the later of equal ones.
+    /// Returns the j with the least |m i - n j| by enumeration, the later of equals.
     fn brute_force(n: u64, m: u64, i: u64) -> u64 {
         (0..=m).rev().min_by_key(|&j| (m * i).abs_diff(n * j)).unwrap()
     }
 
     #[test]
     fn equals_the_least_distance_for_all_counts_to_200() {
-        // Segments 0..=200: the open rule for up to 201 vertices and the closed one for up to 200.
+        // The counts 0..=200 cover the open rule up to 201 vertices, and the closed rule up to 200.
         for n in (0..=200u32).rev().step_by(200 / cases(200) as usize) {
             for m in 0..=n {
                 let expected = (0..=n).map(|i| brute_force(n.into(), m.into(), i.into()) as u32);
@@ -76,7 +76,7 @@ mod tests {
 
     #[test]
     fn the_papers_example_has_six_meridians() {
-        // N = 6, M = 4, open: 1 2 2 3 3 4 counted from 1.
+        // N = 6, M = 4, open: 1 2 2 3 3 4, counted from 1.
         assert!(index_rule(5, 3).eq([0, 1, 1, 2, 2, 3]));
     }
 

@@ -1,11 +1,11 @@
-//! The cheapest path through the lattice, for costs that depend on each step alone: exact dynamic
-//! programming over a band of it.
+//! Cheapest path through the lattice, for costs that depend only on each step: exact dynamic
+//! programming over a band.
 //!
-//! Node (i, j) is reached from (i - 1, j), from (i, j - 1), or, if the metric allows steps on both
-//! rims, from (i - 1, j - 1); the cheapest way to it is the cheapest of these, one step longer
-//! (Fuchs, Kedem and Uselton, 1977). How each node is reached is kept for a block of rows at a
-//! time: the first pass keeps the costs at each block's start, and the way back computes each block
-//! but the last once more.
+//! A node (i, j) is reached from (i - 1, j) or from (i, j - 1). If the metric allows steps on both
+//! rims, it is also reached from (i - 1, j - 1). The cheapest path to it extends the cheapest of
+//! these paths (Fuchs, Kedem and Uselton, 1977). The steps into the nodes are stored for one block
+//! of rows at a time. The first pass stores the costs at each block's start, and the backtracking
+//! computes each block except the last again. but the last once more.
 
 use super::band::Band;
 use super::metric::{Line, Metric, StepCosts};
@@ -14,23 +14,28 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
-/// Nodes whose arrivals are kept at a time, one byte each.
+/// Largest number of nodes whose arrivals are stored at a time, one byte each.
 const MAX_ARRIVALS: usize = 1 << 26;
 
 /// Nodes between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 19;
 
-/// How a node is reached.
+// The step by which a node is reached.
 const STEP_A: u8 = 0;
 const STEP_B: u8 = 1;
 const STEP_BOTH: u8 = 2;
 
-/// The cheapest path within `band`, from (0, 0) to (N, M); `None` if the forbidden nodes leave
-/// none.
+/// Returns the cheapest path within `band` from (0, 0) to (N, M); `None` if the forbidden nodes
+/// block all paths.
 ///
-/// Time: the number of nodes in the band. Extra memory: one byte a node for at most 2^26 nodes, and
-/// 8 bytes a node of the first row of each further block of so many.
-pub(super) fn cheapest(rims: &RimPair<'_>, metric: Metric, band: &Band, job: &Job<'_>) -> Result<Option<Vec<Pair>>> {
+/// Time: the number of nodes in the band. Extra memory: one byte per node for at most 2^26 nodes,
+/// and 8 bytes per node in the first row of each block of 2^26 nodes.
+pub(super) fn cheapest_path(
+    rims: &RimPair<'_>,
+    metric: Metric,
+    band: &Band,
+    job: &Job<'_>,
+) -> Result<Option<Vec<Pair>>> {
     let (n, m) = (band.last_row(), band.last_column());
     let blocks = band.blocks(MAX_ARRIVALS)?;
     let largest = blocks.iter().map(|rows| band.nodes(rows.clone())).max().unwrap_or(0);
@@ -58,13 +63,13 @@ pub(super) fn cheapest(rims: &RimPair<'_>, metric: Metric, band: &Band, job: &Jo
     let (mut i, mut j) = (n, m);
     let mut path = alloc::with_capacity(n + m + 1)?;
     for (rows, start) in blocks.iter().zip(&starts).rev() {
-        // The last block's arrivals are still there.
+        // The arrivals of the last block are still stored.
         if rows.end <= n {
             table.cost.fill(f64::INFINITY);
             table.cost[band.columns(rows.start - 1)].copy_from_slice(start);
-            // From the last block to the first: what is done grows as the rows get fewer.
-            let done = |row: usize| 1.0 - 0.5 * row as f64 / n as f64;
-            let part = job.part(done(rows.end - 1), done(rows.start));
+            // Progress grows from the last block to the first.
+            let progress = |row: usize| 1.0 - 0.5 * row as f64 / n as f64;
+            let part = job.part(progress(rows.end - 1), progress(rows.start));
             table.run(rows.clone(), &mut arrivals, &part)?;
         }
         let mut row_start = band.nodes(rows.start..i);
@@ -89,7 +94,7 @@ struct Table<'a> {
     band: &'a Band,
     line: Line,
     steps: StepCosts,
-    /// The cheapest ways to the nodes of the row reached so far; infinite beyond the band.
+    /// The least costs of the nodes in the last computed row; infinite outside the band.
     cost: Vec<f64>,
 }
 
@@ -103,7 +108,7 @@ impl Table<'_> {
         }
     }
 
-    /// Row 0: the start, and the way along B from it.
+    /// Computes row 0: the start, and the path along B from it.
     fn first_row(&mut self) {
         self.measure(0);
         let mut left = if self.rims.is_forbidden([0, 0]) { f64::INFINITY } else { 0.0 };
@@ -114,20 +119,20 @@ impl Table<'_> {
         }
     }
 
-    /// From the row before `rows` to the last of them.
+    /// Computes the rows `rows` from the row before them.
     fn run(&mut self, rows: std::ops::Range<usize>, arrivals: &mut [u8], job: &Job<'_>) -> Result<()> {
         let (first, count) = (rows.start, rows.len());
-        let (mut done, mut next_report) = (0, REPORT_INTERVAL);
+        let (mut used, mut next_report) = (0, REPORT_INTERVAL);
         for i in rows {
             self.measure(i);
             let width = self.band.width(i);
             if self.metric.steps_on_both() {
-                self.next_row::<true>(i, &mut arrivals[done..done + width]);
+                self.next_row::<true>(i, &mut arrivals[used..used + width]);
             } else {
-                self.next_row::<false>(i, &mut arrivals[done..done + width]);
+                self.next_row::<false>(i, &mut arrivals[used..used + width]);
             }
-            done += width;
-            if done >= next_report {
+            used += width;
+            if used >= next_report {
                 next_report += REPORT_INTERVAL;
                 job.step((i - first) as f64 / count as f64, STAGE)?;
             }
@@ -135,12 +140,12 @@ impl Table<'_> {
         Ok(())
     }
 
-    /// Replaces the costs of row i - 1 by those of row i.
+    /// Replaces the costs of row i - 1 by the costs of row i.
     fn next_row<const BOTH: bool>(&mut self, i: usize, arrivals: &mut [u8]) {
         let columns = self.band.columns(i);
         let low = *columns.start();
-        // What stands before the band is of an older row, unless the band begins farther right than
-        // it did.
+        // The cost left of the band belongs to an older row, unless the band starts farther right
+        // than in row i - 1.
         let shifted = low > *self.band.columns(i - 1).start();
         let mut before = if BOTH && shifted { self.cost[low - 1] } else { f64::INFINITY };
         let mut left = f64::INFINITY;

@@ -1,8 +1,8 @@
 //! The cost of a step through the lattice of meridians.
 //!
-//! Node (i, j) is the meridian from A_i to B_j. A step on A into (i, j) adds the triangle A_i
-//! A_i-1 B_j, a step on B the triangle A_i B_j-1 B_j; a step on both, for strips of quads only,
-//! adds the quad of all four.
+//! Node (i, j) is the meridian from A_i to B_j. A step on A into (i, j) adds the triangle A_i A_i-1
+//! B_j, and a step on B adds the triangle A_i B_j-1 B_j. A step on both rims, for strips of quads
+//! only, adds the quad of all four vertices.
 
 use super::rim_pair::Pair;
 use glam::DVec3;
@@ -11,7 +11,7 @@ use gusset_base::error::Result;
 use gusset_base::geom::triangle::double_area;
 use std::ops::Range;
 
-/// The points of a polyline, one array a coordinate, so that loops over them run on vectors.
+/// The points of a polyline, with one array per coordinate, so that loops vectorise.
 pub(super) struct Line {
     x: Vec<f64>,
     y: Vec<f64>,
@@ -41,7 +41,7 @@ impl Line {
         [self.x[k], self.y[k], self.z[k]] = p.to_array();
     }
 
-    /// The points of `range`, for [`point`].
+    /// Returns the points of `range`, for [`point`].
     pub(super) fn part(&self, range: Range<usize>) -> [&[f64]; 3] {
         [&self.x[range.clone()], &self.y[range.clone()], &self.z[range]]
     }
@@ -51,7 +51,7 @@ impl Line {
     }
 }
 
-/// Point `k` of a [`Line::part`].
+/// Returns point `k` of a [`Line::part`].
 #[inline(always)]
 pub(super) fn point([x, y, z]: [&[f64]; 3], k: usize) -> DVec3 {
     DVec3::new(x[k], y[k], z[k])
@@ -71,34 +71,34 @@ impl StepCosts {
     }
 }
 
-/// A sum over the steps of a path that depends on each step alone.
+/// A sum over the steps of a path, each independent of the others.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Metric {
-    /// Twice the area of the triangles, and `tie` times the sum of the meridians' squared lengths.
+    /// Twice the area of the triangles, plus `tie` times the sum of the meridians' squared lengths.
     Area { tie: f64 },
     /// The sum of the meridians' lengths.
     Diagonal,
-    /// The sum of the meridians' squared lengths; the path may step on both rims at once.
+    /// The sum of the meridians' squared lengths. The path may step on both rims at once.
     Quad,
 }
 
 impl Metric {
-    /// Area, and a tie break: in a plane all strips without folds have the same area, and round-off
-    /// would choose. The weight of the squared lengths is such that on the paper's own strip they
-    /// come to 2^-32 of its area.
+    /// Creates the area metric with a tie break. In the plane all strips without folds have equal
+    /// area, and round-off would decide. On the paper's strip the squared lengths contribute 2^-32
+    /// of the area.
     pub(super) fn area(a: &[DVec3], b: &[DVec3], paper: &[Pair]) -> Self {
         let area = strip_area(a, b, paper);
         let squared: f64 = paper.iter().map(|&[i, j]| a[i as usize].distance_squared(b[j as usize])).sum();
         Metric::Area { tie: if area > 0.0 && squared > 0.0 { 0.5f64.powi(32) * area / squared } else { 1.0 } }
     }
 
-    /// True if the path may step on both rims at once.
+    /// Returns true if the path may step on both rims at once.
     pub(super) fn steps_on_both(self) -> bool {
         self == Metric::Quad
     }
 
-    /// The costs of the steps into the nodes (i, j) for j in `range`. These loops have no branches,
-    /// so that they run on vectors.
+    /// Computes the costs of the steps into the nodes (i, j) for j in `range`. The loops are free
+    /// of branches, so that they vectorise.
     pub(super) fn measure(self, a: &[DVec3], b: &Line, i: usize, range: Range<usize>, steps: &mut StepCosts) {
         let (first, last) = (range.start, range.end - 1);
         let here = a[i];
@@ -130,7 +130,7 @@ impl Metric {
             let (cx, cy, cz) = (edge.y * dz - edge.z * dy, edge.z * dx - edge.x * dz, edge.x * dy - edge.y * dx);
             step_a[j] = (cx * cx + cy * cy + cz * cz).sqrt() + tie * squared[j];
         }
-        // Into j = 0 no step on B leads.
+        // Steps on B start at j = 1.
         let from = first.max(1);
         let (n, before) = (last + 1 - from, from - 1);
         let [x, y, z] = [&b.x[from..=last], &b.y[from..=last], &b.z[from..=last]];
@@ -144,8 +144,8 @@ impl Metric {
         }
     }
 
-    /// The cost of a whole path, its first node apart.
-    pub(super) fn of_path(self, a: &[DVec3], b: &[DVec3], pairs: &[Pair]) -> f64 {
+    /// Returns the cost of a whole path, without its first node.
+    pub(super) fn path_cost(self, a: &[DVec3], b: &[DVec3], pairs: &[Pair]) -> f64 {
         let squared = |&[i, j]: &Pair| a[i as usize].distance_squared(b[j as usize]);
         match self {
             Metric::Area { tie } => strip_area(a, b, pairs) + tie * pairs[1..].iter().map(squared).sum::<f64>(),
@@ -155,8 +155,8 @@ impl Metric {
     }
 }
 
-/// Twice the area of the strip over `pairs`; quads are split by the diagonal from the earlier
-/// vertex of `a`.
+/// Returns twice the area of the strip over `pairs`. Quads are split by the diagonal from the
+/// earlier vertex of `a`.
 pub(super) fn strip_area(a: &[DVec3], b: &[DVec3], pairs: &[Pair]) -> f64 {
     let (a_at, b_at) = (|i: u32| a[i as usize], |j: u32| b[j as usize]);
     let mut area = 0.0;

@@ -1,18 +1,18 @@
 //! Meridians: the pairs of vertices that a strip joins.
 //!
-//! A set of meridians is a list of pairs (i, j), i = 0..=N on rim A and j = 0..=M on rim B,
-//! from (0, 0) to (N, M) (the start again, if the rims are closed), in which each pair advances
-//! by one vertex on A, on B, or on both. It is a path through the lattice of all pairs, and the
-//! paper's matrix H read row by row. [`Meridians`] lists the ways to choose it.
+//! A set of meridians is a list of pairs (i, j) from (0, 0) to (N, M), with i on rim A and j on rim
+//! B. On closed rims (N, M) is the start again. Each pair advances by one vertex on A, on B, or on
+//! both. The list is a path through the lattice of all pairs, and it is the paper's matrix H read
+//! row by row. [`Meridians`] lists the ways to choose it.
 //!
 //! | file | subject |
 //! |---|---|
 //! | [`index_rule`](mod@index_rule) | the paper's rule, by index alone |
 //! | `rim_pair` | the two polylines, and the lattice nodes that no path may pass |
-//! | `greedy` | by arc length, and greedily |
+//! | `greedy` | by arc length, and by a greedy rule |
 //! | `metric`, `bend` | costs: area, lengths; bends |
-//! | `lattice` | the cheapest path, where the cost of a step depends on that step alone |
-//! | `states` | the cheapest path by bends, or without using a meridian twice |
+//! | `lattice` | the cheapest path, if the cost of a step depends only on that step |
+//! | `states` | the cheapest path by bends, or without repeated meridians |
 //! | `band`, `coarse` | coarse-to-fine search of large lattices |
 
 mod band;
@@ -37,33 +37,34 @@ use metric::Metric;
 pub use rim_pair::Pair;
 pub(super) use rim_pair::STAGE;
 pub(crate) use rim_pair::{RimPair, StepPenalty, forbidden_nodes};
-use states::{Cost, cheapest, is_simple};
+use states::{Cost, cheapest_path, is_simple};
 
-/// How meridians are chosen.
+/// The choice of meridians.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Meridians {
-    /// The strip of triangles that best continues both surfaces: little turn between neighbours,
-    /// along the rims above all, and meridians that lie on the surface which the faces beside the
-    /// rims suggest. It is looked for near the strip of least area, which is also the answer where
-    /// no faces are known.
+    /// The strip of triangles that best continues both surfaces.
+    ///
+    /// Neighbouring triangles turn little, above all along the rims, and meridians lie on the
+    /// surface that the faces beside the rims suggest. The search is limited to a band around the
+    /// strip of least area. Without known faces, the result is the strip of least area.
     #[default]
     Continuation,
-    /// The strip of triangles of least area.
+    /// The strip of triangles with the least area.
     MinArea,
-    /// The paper's rule by index: O(N + M). Good for evenly spaced rims.
+    /// The paper's index rule: O(N + M). Good for evenly spaced rims.
     Index,
-    /// Both rims walked at the same pace, by arc length: O(N + M).
+    /// A walk along both rims at the same pace, by arc length: O(N + M).
     ArcLength,
-    /// Always on to the shorter of the two next meridians: O(N + M).
+    /// A walk that always takes the shorter of the two next meridians: O(N + M).
     Greedy,
-    /// The strip of triangles whose meridians have the least total length.
+    /// The strip of triangles with the least total length of meridians.
     MinDiagonal,
-    /// The strip of triangles with the least bends: the sum over its edges, rims included, of
+    /// The strip of triangles with the least bends: the sum over its edges, including the rims, of
     /// length times (1 - cos of the angle between the normals).
     Smooth,
-    /// Steps on both rims at once wherever that makes the sum of the meridians' squared lengths
-    /// less (dynamic time warping): quads where both sides advance, triangles elsewhere. Meant for
-    /// strips with interior rows.
+    /// Steps on both rims at once wherever that reduces the sum of the meridians' squared lengths
+    /// (dynamic time warping). Gives quads where both sides advance, and triangles elsewhere. Meant
+    /// for strips with interior rows.
     Quad,
 }
 
@@ -78,38 +79,41 @@ choices! { for Meridians:
     Quad => "Quads", "Quads wherever both rims advance alike; for strips with rows.";
 }
 
-/// How hard the best meridians are looked for.
+/// The effort of the search for the best meridians.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Search {
-    /// Exactly for up to 2^21 pairs of vertices, beyond that coarse to fine: nearly linear time and
-    /// linear memory, and a result that was within a few hundredths of a per cent of the best on
-    /// smooth and on jagged rims; where vertices are noise or crowd together it may lose several
-    /// per cent.
+pub enum MeridianSearch {
+    /// Exact up to 2^21 pairs of vertices, and coarse to fine beyond.
+    ///
+    /// Coarse to fine takes nearly linear time and linear memory. On smooth and on jagged rims its
+    /// results were within a few hundredths of a per cent of the best. On noisy or crowded vertices
+    /// it may lose several per cent.
     #[default]
     Auto,
-    /// Exactly: O(N M) time, one byte of memory for each of up to 2^26 pairs of vertices, and 8 M
-    /// bytes for each 2^26 pairs begun; 2 bytes for each pair with [`Meridians::Continuation`] and
-    /// [`Meridians::Smooth`]; 8 where the best strip would use a meridian twice. With more than one
-    /// thread and two starts, twice that.
+    /// Exact. O(N M) time.
+    ///
+    /// Memory is one byte for each of up to 2^26 pairs of vertices, and 8 M bytes for each started
+    /// block of 2^26 pairs. [`Meridians::Continuation`] and [`Meridians::Smooth`] take 2 bytes per
+    /// pair, or 8 if the best strip would repeat a meridian. With more than one thread and two
+    /// starts, memory doubles.
     Exact,
 }
 
-/// Lattices of more nodes than this are searched coarse to fine.
+/// Lattices with more nodes are searched from coarse to fine.
 const MAX_EXACT_NODES: usize = 1 << 21;
 
-/// Meridians, and what they cost in the measure of their choice.
+/// Meridians, and their cost in the chosen measure.
 pub(crate) struct MeridianChoice {
     pub(crate) pairs: Vec<Pair>,
-    /// To be compared with others of the same rims and choice only.
+    /// Comparable only for the same rims and choice.
     pub(crate) cost: f64,
 }
 
-/// The meridians of `choice` that pass no forbidden node, and of closed rims use none twice; `None`
-/// if there are none. The rule by index minds neither.
+/// Returns the meridians of `choice` that pass no forbidden node and, on closed rims, do not
+/// repeat. Returns `None` if there are none. The index rule ignores both conditions.
 pub(crate) fn meridians(
     rims: &RimPair<'_>,
     choice: Meridians,
-    search: Search,
+    search: MeridianSearch,
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
     let (a, b) = (rims.a, rims.b);
@@ -117,11 +121,11 @@ pub(crate) fn meridians(
     let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1)?;
     job.step(0.0, STAGE)?;
     let area = Metric::area(a, b, &paper);
-    let chosen = |metric: Metric, pairs: Vec<Pair>| MeridianChoice { cost: metric.of_path(a, b, &pairs), pairs };
+    let chosen = |metric: Metric, pairs: Vec<Pair>| MeridianChoice { cost: metric.path_cost(a, b, &pairs), pairs };
     let simple = match choice {
         Meridians::Index => return Ok(Some(chosen(area, paper))),
-        Meridians::ArcLength => greedy::by_arc_length(rims)?,
-        Meridians::Greedy => greedy::greedily(rims)?,
+        Meridians::ArcLength => greedy::arc_length_meridians(rims)?,
+        Meridians::Greedy => greedy::greedy_meridians(rims)?,
         Meridians::Continuation => return continuation(rims, &paper, search, job),
         Meridians::MinArea => return additive(rims, area, search, job),
         Meridians::MinDiagonal => return additive(rims, Metric::Diagonal, search, job),
@@ -134,11 +138,11 @@ pub(crate) fn meridians(
     additive(rims, Metric::Diagonal, search, job)
 }
 
-/// Half the width of the band in which other meridians are looked for.
+/// Half the width of the band for other meridians.
 const NEAR_HALF_BAND: usize = 32;
 
-/// The best meridians near `path`, where some steps may have penalties: those of the strip of least area,
-/// of the least total length, or of the best continuation, which stands for all others.
+/// Returns the best meridians near `path`, with penalties on some steps. Minimises the area or the
+/// total length for those choices, and maximises the continuation for all others.
 pub(crate) fn meridians_near(
     rims: &RimPair<'_>,
     choice: Meridians,
@@ -147,45 +151,51 @@ pub(crate) fn meridians_near(
 ) -> Result<Option<MeridianChoice>> {
     let (n, m) = (rims.a.len() - 1, rims.b.len() - 1);
     let paper = index_meridians(n as u32, m as u32)?;
-    let band = Band::around(path, n, m, NEAR_HALF_BAND)?;
+    let band = Band::around_path(path, n, m, NEAR_HALF_BAND)?;
     let metric = match choice {
         Meridians::MinArea => Metric::area(rims.a, rims.b, &paper),
         Meridians::MinDiagonal => Metric::Diagonal,
         _ => return best_continuation(rims, &paper, &band, None, job),
     };
-    let found = cheapest(rims, &Cost::StepCosts(metric), &band, rims.closed, None, job)?;
+    let found = cheapest_path(rims, &Cost::StepCosts(metric), &band, rims.closed, None, job)?;
     Ok(found.map(|(cost, pairs)| MeridianChoice { cost, pairs }))
 }
 
-/// The cheapest path for a metric that depends on each step alone.
-fn additive(rims: &RimPair<'_>, metric: Metric, search: Search, job: &Job<'_>) -> Result<Option<MeridianChoice>> {
-    let find = |rims: &RimPair<'_>, band: &Band, job: &Job<'_>| match lattice::cheapest(
+/// Returns the cheapest path for a metric that depends only on each step.
+fn additive(
+    rims: &RimPair<'_>,
+    metric: Metric,
+    search: MeridianSearch,
+    job: &Job<'_>,
+) -> Result<Option<MeridianChoice>> {
+    let find = |rims: &RimPair<'_>, band: &Band, job: &Job<'_>| match lattice::cheapest_path(
         rims,
         metric,
         band,
         &job.part(0.0, 0.5),
     )? {
-        // The best of all paths is usually proper, and then the best of the proper ones.
+        // The best of all paths is usually proper, and is then the best proper path.
         Some(path) if !is_simple(rims, &path) => {
-            Ok(cheapest(rims, &Cost::StepCosts(metric), band, true, None, &job.part(0.5, 1.0))?.map(|(_, path)| path))
+            Ok(cheapest_path(rims, &Cost::StepCosts(metric), band, true, None, &job.part(0.5, 1.0))?
+                .map(|(_, path)| path))
         }
         found => Ok(found),
     };
     let pairs = search_lattice(rims, search, &find, job)?;
-    Ok(pairs.map(|pairs| MeridianChoice { cost: metric.of_path(rims.a, rims.b, &pairs), pairs }))
+    Ok(pairs.map(|pairs| MeridianChoice { cost: metric.path_cost(rims.a, rims.b, &pairs), pairs }))
 }
 
-/// The path of the least bends.
-fn smooth(rims: &RimPair<'_>, paper: &[Pair], search: Search, job: &Job<'_>) -> Result<Option<MeridianChoice>> {
+/// Returns the path with the least bends.
+fn smooth(rims: &RimPair<'_>, paper: &[Pair], search: MeridianSearch, job: &Job<'_>) -> Result<Option<MeridianChoice>> {
     let cost = std::cell::Cell::new(f64::INFINITY);
     let tie = tie_break(rims, paper);
     let find = |rims: &RimPair<'_>, band: &Band, job: &Job<'_>| {
         let (first, second) = (job.part(0.0, 0.5), job.part(0.5, 1.0));
         let bends = Bends::smooth(rims, tie)?;
-        // As with the others: the best of all paths is usually proper.
-        let found = match cheapest(rims, &Cost::Bends(&bends), band, false, None, &first)? {
+        // The best of all paths is usually proper here too.
+        let found = match cheapest_path(rims, &Cost::Bends(&bends), band, false, None, &first)? {
             Some((_, path)) if !is_simple(rims, &path) => {
-                cheapest(rims, &Cost::Bends(&bends), band, true, None, &second)?
+                cheapest_path(rims, &Cost::Bends(&bends), band, true, None, &second)?
             }
             found => found,
         };
@@ -198,19 +208,27 @@ fn smooth(rims: &RimPair<'_>, paper: &[Pair], search: Search, job: &Job<'_>) -> 
     Ok(pairs.map(|pairs| MeridianChoice { cost: cost.get(), pairs }))
 }
 
-/// How far from the strip of least area the best continuation is looked for, in places on either
-/// rim.
+/// Half the width of the band around the strip of least area in which the best continuation is
+/// searched, in places on either rim.
 const GUIDE_HALF_BAND: usize = 16;
 
-/// The path of the best continuation, near that of least area unless the search is to be exact.
-fn continuation(rims: &RimPair<'_>, paper: &[Pair], search: Search, job: &Job<'_>) -> Result<Option<MeridianChoice>> {
+/// Returns the path of the best continuation, near the strip of least area unless the search is
+/// exact.
+fn continuation(
+    rims: &RimPair<'_>,
+    paper: &[Pair],
+    search: MeridianSearch,
+    job: &Job<'_>,
+) -> Result<Option<MeridianChoice>> {
     let guide = additive(rims, Metric::area(rims.a, rims.b, paper), search, &job.part(0.0, 0.5))?;
     match guide {
         Some(guide) if rims.has_sides() => {
-            let first = (search != Search::Exact).then_some(guide.pairs[1]);
+            let first = (search != MeridianSearch::Exact).then_some(guide.pairs[1]);
             let band = match search {
-                Search::Auto => Band::around(&guide.pairs, rims.a.len() - 1, rims.b.len() - 1, GUIDE_HALF_BAND)?,
-                Search::Exact => Band::full(rims.a.len() - 1, rims.b.len() - 1)?,
+                MeridianSearch::Auto => {
+                    Band::around_path(&guide.pairs, rims.a.len() - 1, rims.b.len() - 1, GUIDE_HALF_BAND)?
+                }
+                MeridianSearch::Exact => Band::full(rims.a.len() - 1, rims.b.len() - 1)?,
             };
             let found = best_continuation(rims, paper, &band, first, &job.part(0.5, 1.0))?;
             Ok(Some(found.unwrap_or(guide)))
@@ -219,7 +237,7 @@ fn continuation(rims: &RimPair<'_>, paper: &[Pair], search: Search, job: &Job<'_
     }
 }
 
-/// The best continuation within `band`; `first`: the end of its first step, where that is given.
+/// Returns the best continuation within `band`. `first` is the end of its first step, if given.
 fn best_continuation(
     rims: &RimPair<'_>,
     paper: &[Pair],
@@ -229,22 +247,24 @@ fn best_continuation(
 ) -> Result<Option<MeridianChoice>> {
     let bends = Bends::continuation(rims, tie_break(rims, paper))?;
     let cost = Cost::Bends(&bends);
-    let found = match cheapest(rims, &cost, band, false, first, &job.part(0.0, 0.5))? {
-        Some((_, path)) if !is_simple(rims, &path) => cheapest(rims, &cost, band, true, first, &job.part(0.5, 1.0))?,
+    let found = match cheapest_path(rims, &cost, band, false, first, &job.part(0.0, 0.5))? {
+        Some((_, path)) if !is_simple(rims, &path) => {
+            cheapest_path(rims, &cost, band, true, first, &job.part(0.5, 1.0))?
+        }
         found => found,
     };
     Ok(found.map(|(cost, pairs)| MeridianChoice { cost, pairs }))
 }
 
-/// Searches the whole lattice, or coarse to fine.
+/// Searches the whole lattice, or from coarse to fine.
 fn search_lattice(
     rims: &RimPair<'_>,
-    search: Search,
+    search: MeridianSearch,
     find: &impl Fn(&RimPair<'_>, &Band, &Job<'_>) -> Result<Option<Vec<Pair>>>,
     job: &Job<'_>,
 ) -> Result<Option<Vec<Pair>>> {
     let (n, m) = (rims.a.len() - 1, rims.b.len() - 1);
-    if search == Search::Auto && (n + 1) * (m + 1) > MAX_EXACT_NODES {
+    if search == MeridianSearch::Auto && (n + 1) * (m + 1) > MAX_EXACT_NODES {
         return coarse::coarse_to_fine(rims, find, job);
     }
     find(rims, &Band::full(n, m)?, job)

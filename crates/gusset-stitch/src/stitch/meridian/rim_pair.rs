@@ -1,44 +1,43 @@
-//! The two rims that meridians join, as polylines, and the nodes of their lattice that no path may
-//! pass.
+//! The two rims that meridians join, as polylines, and the forbidden nodes of their lattice.
 
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
-/// What a host reads of the search for meridians.
+/// The progress message of the search for meridians.
 pub(in crate::stitch) const STAGE: &str = "finding the best meridians";
 
 /// One meridian: the places on rim A and on rim B.
 pub type Pair = [u32; 2];
 
-/// Where meridians run: two polylines of N + 1 and M + 1 points; of closed ones the last point is
-/// the first again.
+/// The two polylines that meridians join, of N + 1 and M + 1 points. The last point of a closed
+/// polyline repeats the first.
 #[derive(Clone, Copy)]
 pub(crate) struct RimPair<'a> {
     pub(crate) a: &'a [DVec3],
     pub(crate) b: &'a [DVec3],
     pub(crate) closed: bool,
-    /// Nodes that no path may pass, in ascending order.
+    /// The forbidden nodes, in ascending order.
     pub(crate) forbidden: &'a [Pair],
-    /// For each edge of A and of B, the unit normal of the old face along it, on the side on which
-    /// the strip's triangles run A_i A_i-1 B_j.
+    /// For each edge of A and of B, the unit normal of the old face along it. The strip's triangles
+    /// run A_i A_i-1 B_j seen from the side of this normal.
     pub(crate) sides: Option<[&'a [DVec3]; 2]>,
-    /// What steps cost more than their own, in ascending order of the nodes that they lead to.
+    /// Additional costs of steps, in ascending order of the nodes that they lead to.
     pub(crate) penalties: &'a [StepPenalty],
 }
 
-/// What a step costs more than its own.
+/// An additional cost of a step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct StepPenalty {
-    /// The node that it leads to.
+    /// The node that the step leads to.
     pub(crate) to: Pair,
-    /// It is one on rim B.
+    /// True for a step on rim B.
     pub(crate) on_b: bool,
     pub(crate) extra: f64,
 }
 
 impl RimPair<'_> {
-    /// True if the faces along the rims are known.
+    /// Returns true if faces along the rims are known.
     pub(super) fn has_sides(&self) -> bool {
         self.sides.is_some_and(|sides| sides.iter().any(|side| side.iter().any(|&normal| normal != DVec3::ZERO)))
     }
@@ -49,7 +48,7 @@ impl RimPair<'_> {
         &self.forbidden[from..from + count]
     }
 
-    /// What steps into row i cost more than their own.
+    /// Returns the additional costs of the steps into row i.
     pub(super) fn penalties_in_row(&self, i: usize) -> &[StepPenalty] {
         let from = self.penalties.partition_point(|step| (step.to[0] as usize) < i);
         let count = self.penalties[from..].partition_point(|step| step.to[0] as usize == i);
@@ -61,8 +60,8 @@ impl RimPair<'_> {
     }
 }
 
-/// Lattice nodes in ascending order, the ends of closed rims named twice: `nodes` with i < N and j
-/// < M.
+/// Returns lattice nodes in ascending order, with the ends of closed rims listed twice. The input
+/// `nodes` have i < N and j < M.
 pub(crate) fn forbidden_nodes(nodes: impl Iterator<Item = Pair>, n: u32, m: u32, closed: bool) -> Result<Vec<Pair>> {
     let mut all = Vec::new();
     for [i, j] in nodes {

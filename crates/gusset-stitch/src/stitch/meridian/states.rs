@@ -1,18 +1,19 @@
-//! The cheapest path where the cost of a step depends on earlier ones: bends between triangles,
-//! and no meridian twice.
+//! Cheapest path if the cost of a step depends on earlier steps: bends between triangles, and no
+//! repeated meridians.
 //!
-//! **Simple paths.** On closed rims (i, 0) and (i, M) are the same edge, since B_M is B_0. A
-//! path through both takes all its B steps at one i: no step on A starts before j = M and ends
-//! after j = 0. Likewise for (0, j) and (N, j). So a strip uses no meridian twice if and only
-//! if its path has both a step on A with j < M before it and j > 0 after it, and a step on B
-//! with i < N before and i > 0 after. Two bits record which of the two a path has had.
+//! **Simple paths.** On closed rims (i, 0) and (i, M) are the same edge, since B_M is B_0. A path
+//! through both takes all its steps on B at one i: no step on A starts before j = M and ends after
+//! j = 0. The same holds for (0, j) and (N, j). So a strip repeats no meridian if and only if its
+//! path has two kinds of steps. One is a step on A with j < M before it and j > 0 after it. The
+//! other is a step on B with i < N before it and i > 0 after it. Two bits record which of these
+//! steps a path has had.
 //!
-//! **Bends.** The cost of a bend lies between two triangles, so a third bit records the rim of
-//! the last step. The first triangle of a closed strip meets the last one: the search runs once
-//! for either kind of first step.
+//! **Bends.** A bend lies between two triangles, so a third bit records the rim of the last step.
+//! The first triangle of a closed strip meets the last one: the search runs once for each kind of
+//! first step.
 //!
-//! The search keeps the cheapest way to each node in each state, and is exact. O(8 N M) time
-//! and memory in the band.
+//! The search stores the cheapest path to each node in each state, and is exact. O(8 N M) time and
+//! memory in the band.
 
 use super::band::Band;
 use super::bend::{Bends, Row};
@@ -23,17 +24,17 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use std::ops::Range;
 
-/// The last step was on B. Kept for bends only.
+/// The last step was on B. Used for bends only.
 const LAST_B: usize = 1;
-/// The path has had a step on A within B.
+/// The path has had a step on A inside B.
 const WITHIN_B: usize = 2;
-/// The path has had a step on B within A.
+/// The path has had a step on B inside A.
 const WITHIN_A: usize = 4;
 
-/// All states, for simple paths.
-const ALL: usize = 8;
-/// Those that tell the rim of the last step only, for any path.
-const LAST: usize = 2;
+/// Number of states for simple paths.
+const ALL_STATES: usize = 8;
+/// Number of states for all paths, which record only the rim of the last step.
+const LAST_STEP_STATES: usize = 2;
 
 /// Nodes between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;
@@ -45,15 +46,15 @@ enum Step {
     Both,
 }
 
-/// What a path costs.
+/// The cost of a path.
 pub(super) enum Cost<'a> {
-    /// A sum over its steps.
+    /// The sum over its steps.
     StepCosts(Metric),
-    /// The bends.
+    /// The sum of bends.
     Bends(&'a Bends<'a>),
 }
 
-/// The bits that a step into (i, j) sets; `LAST_B` is forgotten with each step.
+/// Returns the bits that a step into (i, j) sets. `LAST_B` is reset with each step.
 fn advance(rims: &RimPair<'_>, by: Step, i: usize, j: usize) -> usize {
     let (n, m) = (rims.a.len() - 1, rims.b.len() - 1);
     let (i_before, j_before) = (i - usize::from(by != Step::B), j - usize::from(by != Step::A));
@@ -62,7 +63,7 @@ fn advance(rims: &RimPair<'_>, by: Step, i: usize, j: usize) -> usize {
     (usize::from(within_b) * WITHIN_B) | (usize::from(within_a) * WITHIN_A)
 }
 
-/// True if no meridian of the path is used twice. A path between open rims has none.
+/// Returns true if the path does not repeat a meridian. Paths between open rims never do.
 pub(super) fn is_simple(rims: &RimPair<'_>, path: &[Pair]) -> bool {
     let mut state = 0;
     for step in path.windows(2) {
@@ -77,13 +78,14 @@ pub(super) fn is_simple(rims: &RimPair<'_>, path: &[Pair]) -> bool {
     !rims.closed || state == WITHIN_A | WITHIN_B
 }
 
-/// The cheapest path within `band`, and its cost; `None` if there is none. `simple`: only such as
-/// use no meridian of closed rims twice. `first`: the end of the first step, where that is given.
+/// Returns the cheapest path within `band` and its cost; `None` if there is none. With `simple`,
+/// the path does not repeat a meridian of closed rims. `first` is the end of the first step, if
+/// given.
 ///
-/// Time: the number of nodes in the band, for each of the states that there are (two, for simple
-/// paths eight), twice for bends between closed rims whose first step is open. Extra memory: a byte
-/// for each node and state.
-pub(super) fn cheapest(
+/// Time: the number of nodes in the band, for each state (eight for simple paths, otherwise two).
+/// Twice that for bends between closed rims without a given first step. Extra memory: one byte per
+/// node and state.
+pub(super) fn cheapest_path(
     rims: &RimPair<'_>,
     cost: &Cost<'_>,
     band: &Band,
@@ -92,48 +94,48 @@ pub(super) fn cheapest(
     job: &Job<'_>,
 ) -> Result<Option<(f64, Vec<Pair>)>> {
     match simple && rims.closed {
-        true => Search::<ALL>::new(rims, cost, band)?.cheapest(first, job),
-        false => Search::<LAST>::new(rims, cost, band)?.cheapest(first, job),
+        true => StateSearch::<ALL_STATES>::new(rims, cost, band)?.cheapest_path(first, job),
+        false => StateSearch::<LAST_STEP_STATES>::new(rims, cost, band)?.cheapest_path(first, job),
     }
 }
 
-struct Search<'a, const STATES: usize> {
+struct StateSearch<'a, const STATES: usize> {
     rims: &'a RimPair<'a>,
     cost: &'a Cost<'a>,
     band: &'a Band,
     line: Line,
-    /// What the steps into the nodes of the row cost that is searched: by bends, of those that
-    /// follow a step on A and on B; else the first counts for all.
+    /// The costs of the steps into the nodes of the current row. For bends, after a step on A and
+    /// after a step on B; otherwise the first entry holds for both.
     steps: [StepCosts; 2],
     /// Row i of the triangles is `triangles[i % 2]`.
     triangles: [Row; 2],
-    /// The cheapest ways to the nodes of one row.
+    /// The least costs of the nodes of one row.
     row: Vec<[f64; STATES]>,
-    /// For each node and state: the state before, and the step (8 times 0 for A, 1 for B, 2 for
+    /// For each node and state, the previous state plus 8 times the step (0 for A, 1 for B, 2 for
     /// both).
     arrivals: Vec<[u8; STATES]>,
 }
 
-impl<'a, const STATES: usize> Search<'a, STATES> {
+impl<'a, const STATES: usize> StateSearch<'a, STATES> {
     const UNREACHABLE: [f64; STATES] = [f64::INFINITY; STATES];
 
     fn new(rims: &'a RimPair<'a>, cost: &'a Cost<'a>, band: &'a Band) -> Result<Self> {
         let (n, m) = (band.last_row(), band.last_column());
-        let of_bends = if matches!(cost, Cost::Bends(_)) { m + 1 } else { 0 };
-        Ok(Search {
+        let bend_columns = if matches!(cost, Cost::Bends(_)) { m + 1 } else { 0 };
+        Ok(StateSearch {
             rims,
             cost,
             band,
             line: Line::new(rims.b)?,
             steps: [StepCosts::new(m + 1)?, StepCosts::new(m + 1)?],
-            triangles: [Row::new(of_bends)?, Row::new(of_bends)?],
+            triangles: [Row::new(bend_columns)?, Row::new(bend_columns)?],
             row: alloc::filled(Self::UNREACHABLE, m + 1)?,
             arrivals: alloc::filled([0u8; STATES], band.nodes(0..n + 1))?,
         })
     }
 
-    /// See [`cheapest`].
-    fn cheapest(&mut self, first: Option<Pair>, job: &Job<'_>) -> Result<Option<(f64, Vec<Pair>)>> {
+    /// See [`cheapest_path`].
+    fn cheapest_path(&mut self, first: Option<Pair>, job: &Job<'_>) -> Result<Option<(f64, Vec<Pair>)>> {
         let firsts: &[Option<Step>] = match (self.cost, first) {
             (Cost::Bends(_), None) if self.rims.closed => &[Some(Step::A), Some(Step::B)],
             (Cost::Bends(_), Some([1, 0])) if self.rims.closed => &[Some(Step::A)],
@@ -144,7 +146,7 @@ impl<'a, const STATES: usize> Search<'a, STATES> {
         let mut best: Option<(f64, Vec<Pair>)> = None;
         for (k, &first) in firsts.iter().enumerate() {
             self.run(first, &job.share(k, firsts.len()))?;
-            for state in (0..STATES).filter(|state| STATES == LAST || state & simple == simple) {
+            for state in (0..STATES).filter(|state| STATES == LAST_STEP_STATES || state & simple == simple) {
                 let mut total = self.row[self.band.last_column()][state];
                 if let (Cost::Bends(bends), Some(first)) = (self.cost, first) {
                     total += bends.across_seam(state & LAST_B > 0, first == Step::B);
@@ -157,7 +159,7 @@ impl<'a, const STATES: usize> Search<'a, STATES> {
         Ok(best)
     }
 
-    /// Fills the table. `first`: the first step must be of this kind.
+    /// Fills the table. If given, `first` is the kind of the first step.
     fn run(&mut self, first: Option<Step>, job: &Job<'_>) -> Result<()> {
         self.row.fill(Self::UNREACHABLE);
         let mut start = 0;
@@ -178,7 +180,7 @@ impl<'a, const STATES: usize> Search<'a, STATES> {
         Ok(())
     }
 
-    /// The costs of the steps into row i, with penalties, infinite where they are forbidden.
+    /// Computes the costs of the steps into row i, with penalties; infinite for forbidden steps.
     fn measure(&mut self, i: usize, columns: Range<usize>, first: Option<Step>) {
         let [even, odd] = &mut self.triangles;
         let rows = if i.is_multiple_of(2) { [odd, even] } else { [even, odd] };
@@ -202,7 +204,7 @@ impl<'a, const STATES: usize> Search<'a, STATES> {
         }
     }
 
-    /// Replaces the costs of row i - 1 by those of row i, whose arrivals begin at `start`.
+    /// Replaces the costs of row i - 1 by the costs of row i, whose arrivals begin at `start`.
     fn next_row<const BENDS: bool>(&mut self, i: usize, columns: Range<usize>, start: usize) {
         let both = matches!(self.cost, Cost::StepCosts(metric) if metric.steps_on_both());
         let low = columns.start;
@@ -217,17 +219,17 @@ impl<'a, const STATES: usize> Search<'a, STATES> {
             let j = low + k;
             let (mut here, mut how) = (Self::UNREACHABLE, [0u8; STATES]);
             let mut step = |by: Step, costs: &[f64; STATES], steps: [f64; 2]| {
-                let within = if STATES == LAST { 0 } else { advance(self.rims, by, i, j) };
+                let within = if STATES == LAST_STEP_STATES { 0 } else { advance(self.rims, by, i, j) };
                 let last = if BENDS && by == Step::B { LAST_B } else { 0 };
                 for state in (0..STATES).step_by(if BENDS { 1 } else { 2 }) {
                     let total = costs[state] + steps[state & LAST_B];
                     let to = (state & !LAST_B) | last | within;
                     if total < here[to] {
-                        (here[to], how[to]) = (total, (state + ALL * by as usize) as u8);
+                        (here[to], how[to]) = (total, (state + ALL_STATES * by as usize) as u8);
                     }
                 }
             };
-            // Row i - 1 still stands at j, where it is within its band.
+            // Entry j still belongs to row i - 1, if it is within that row's band.
             if i > 0 {
                 step(Step::A, &row[k], [on_a[0][k], on_a[1][k]]);
             }
@@ -247,7 +249,7 @@ impl<'a, const STATES: usize> Search<'a, STATES> {
         }
     }
 
-    /// The path to (N, M) in `state`.
+    /// Returns the path to (N, M) in `state`.
     fn backtrack(&self, mut state: usize) -> Result<Vec<Pair>> {
         let (mut i, mut j) = (self.band.last_row(), self.band.last_column());
         let mut start = self.band.nodes(0..i);
@@ -255,9 +257,9 @@ impl<'a, const STATES: usize> Search<'a, STATES> {
         path.push([i as u32, j as u32]);
         while (i, j) != (0, 0) {
             let how = usize::from(self.arrivals[start + j - self.band.columns(i).start()][state]);
-            state = how % ALL;
-            j -= usize::from(how / ALL > 0);
-            if how / ALL != 1 {
+            state = how % ALL_STATES;
+            j -= usize::from(how / ALL_STATES > 0);
+            if how / ALL_STATES != 1 {
                 i -= 1;
                 start -= self.band.width(i);
             }

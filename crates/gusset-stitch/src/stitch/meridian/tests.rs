@@ -1,5 +1,5 @@
-//! Every choice of meridians that has a measure against brute force, and the coarse-to-fine search
-//! against the exact one.
+//! Checks every choice of meridians that has a measure by brute force, and the coarse-to-fine
+//! search by the exact one.
 
 use super::index_rule::index_meridians;
 use super::metric::strip_area;
@@ -8,13 +8,13 @@ use glam::DVec3;
 use gusset_base::testing::cases;
 use proptest::prelude::*;
 
-/// The edges that a path uses, those of a closed polyline's end being those of its start.
+/// Returns the edges that a path uses. The end of a closed polyline is identified with its start.
 fn edges(rims: &RimPair<'_>, path: &[Pair]) -> Vec<[usize; 2]> {
     let (n, m) = (rims.a.len(), rims.b.len());
     let (n, m) = if rims.closed { (n - 1, m - 1) } else { (n, m) };
     let mut edges: Vec<_> = path.iter().map(|&[i, j]| [i as usize % n, j as usize % m]).collect();
     if rims.closed {
-        // The last meridian is the first, by definition.
+        // The last meridian repeats the first by definition.
         edges.pop();
     }
     edges.sort_unstable();
@@ -26,7 +26,7 @@ fn is_good(rims: &RimPair<'_>, path: &[Pair]) -> bool {
         && !path.iter().any(|pair| rims.forbidden.contains(pair))
 }
 
-/// Every good path, by recursion.
+/// Visits every good path by enumeration.
 fn all_paths(rims: &RimPair<'_>, steps: &[[u32; 2]], mut visit: impl FnMut(&[Pair])) {
     let end = [rims.a.len() as u32 - 1, rims.b.len() as u32 - 1];
     let mut paths = vec![vec![[0, 0]]];
@@ -46,7 +46,7 @@ fn all_paths(rims: &RimPair<'_>, steps: &[[u32; 2]], mut visit: impl FnMut(&[Pai
     }
 }
 
-/// The bends of a strip, triangle by triangle.
+/// Returns the bends of a strip, triangle by triangle.
 fn bends(rims: &RimPair<'_>, path: &[Pair]) -> f64 {
     let (a, b) = (|i: u32| rims.a[i as usize], |j: u32| rims.b[j as usize]);
     let mut sum = 0.0;
@@ -72,7 +72,7 @@ fn bends(rims: &RimPair<'_>, path: &[Pair]) -> f64 {
     sum
 }
 
-/// The measure of continuation, triangle by triangle, in mean edges of the rims.
+/// Returns the measure of continuation, triangle by triangle, in mean edges of the rims.
 fn continuation(rims: &RimPair<'_>, path: &[Pair]) -> f64 {
     let length = |line: &[DVec3]| line.windows(2).map(|edge| (edge[1] - edge[0]).length()).sum::<f64>();
     let mean = (length(rims.a) + length(rims.b)) / (rims.a.len() + rims.b.len() - 2) as f64;
@@ -138,7 +138,7 @@ fn check(rims: &RimPair<'_>) {
         all_paths(rims, steps, |path| {
             if measure(path) < least {
                 least = measure(path);
-                // The tie break weighs as much as this for the best path.
+                // The weight of the tie break for the best path.
                 slack = match choice {
                     Meridians::MinArea if strip_area(a, b, &paper) == 0.0 => f64::INFINITY,
                     Meridians::MinArea => 0.5f64.powi(32) * strip_area(a, b, &paper) / squares(&paper) * squares(path),
@@ -151,7 +151,7 @@ fn check(rims: &RimPair<'_>) {
                 };
             }
         });
-        match meridians(rims, choice, Search::Auto, &Job::default()).unwrap() {
+        match meridians(rims, choice, MeridianSearch::Auto, &Job::default()).unwrap() {
             None => assert_eq!(least, f64::INFINITY, "{choice:?}"),
             Some(chosen) => {
                 assert!(is_good(rims, &chosen.pairs), "{choice:?} {:?}", chosen.pairs);
@@ -166,7 +166,7 @@ fn check(rims: &RimPair<'_>) {
         }
     }
     for choice in [Meridians::ArcLength, Meridians::Greedy] {
-        if let Some(chosen) = meridians(rims, choice, Search::Auto, &Job::default()).unwrap() {
+        if let Some(chosen) = meridians(rims, choice, MeridianSearch::Auto, &Job::default()).unwrap() {
             assert!(is_good(rims, &chosen.pairs), "{choice:?} {:?}", chosen.pairs);
         }
     }
@@ -178,23 +178,23 @@ fn check_continuation(rims: &RimPair<'_>) {
     }
     let mut least = f64::INFINITY;
     all_paths(rims, &[[1, 0], [0, 1]], |path| least = least.min(continuation(rims, path)));
-    match meridians(rims, Meridians::Continuation, Search::Exact, &Job::default()).unwrap() {
+    match meridians(rims, Meridians::Continuation, MeridianSearch::Exact, &Job::default()).unwrap() {
         None => assert_eq!(least, f64::INFINITY),
         Some(chosen) => {
             assert!(is_good(rims, &chosen.pairs), "{:?}", chosen.pairs);
             let cost = continuation(rims, &chosen.pairs);
-            // The tie break comes to 2^-20 of the meridians, in mean edges.
+            // The tie break is 2^-20 of the meridians' lengths, in mean edges.
             assert!((least * (1.0 - 1e-9)..=least * (1.0 + 1e-3) + 1e-3).contains(&cost), "{cost} {least}");
         }
     }
 }
 
-/// The first point again at the end.
+/// Repeats the first point at the end.
 fn closed(points: &[DVec3]) -> Vec<DVec3> {
     points.iter().chain(&points[..1]).copied().collect()
 }
 
-/// A path by steps on A where `on_a` says so, as far as there are any.
+/// Returns a path with steps on A where `on_a` is true, as long as there are any.
 fn walk(on_a: &[bool], n: usize, m: usize) -> Vec<Pair> {
     let mut path = vec![[0, 0]];
     for &on_a in on_a {
@@ -219,7 +219,7 @@ proptest! {
     fn equals_brute_force(
         a in prop::collection::vec(any::<(i8, i8, i8)>(), 3..6),
         b in prop::collection::vec(any::<(i8, i8, i8)>(), 3..6),
-        // A tiny second rim is where the best of all paths uses a meridian twice.
+        // With a tiny second rim, the best of all paths repeats a meridian.
         shrink in prop::sample::select(vec![1.0, 1e-3, 0.0]),
         sides in prop::collection::vec(any::<(i8, i8, i8)>(), 10),
         forbidden in any::<u64>(),
@@ -242,7 +242,7 @@ proptest! {
         }
     }
 
-    /// Both searches within any band find the cheapest path that stays within it.
+    /// Both searches find the cheapest path within any band.
     #[test]
     fn bands_are_searched_exactly(
         a in prop::collection::vec(any::<(i8, i8, i8)>(), 3..7),
@@ -253,26 +253,26 @@ proptest! {
         let (a, b) = (polyline(&a), polyline(&b));
         let (n, m) = (a.len() - 1, b.len() - 1);
         let middle = walk(&path, n, m);
-        let band = Band::around(&middle, n, m, width).unwrap();
+        let band = Band::around_path(&middle, n, m, width).unwrap();
         let rims = RimPair { a: &a, b: &b, closed: false, forbidden: &[], sides: None, penalties: &[] };
         let within = |path: &[Pair]| path.iter().all(|&[i, j]| band.columns(i as usize).contains(&(j as usize)));
         for (metric, steps) in [(Metric::Diagonal, &[[1, 0], [0, 1]][..]), (Metric::Quad, &[[1, 0], [0, 1], [1, 1]])] {
             let mut least = f64::INFINITY;
             all_paths(&rims, steps, |path| {
                 if within(path) {
-                    least = least.min(metric.of_path(&a, &b, path));
+                    least = least.min(metric.path_cost(&a, &b, path));
                 }
             });
-            let plain = lattice::cheapest(&rims, metric, &band, &Job::default()).unwrap().unwrap();
-            let (_, by_states) = cheapest(&rims, &Cost::StepCosts(metric), &band, false, None, &Job::default()).unwrap().unwrap();
+            let plain = lattice::cheapest_path(&rims, metric, &band, &Job::default()).unwrap().unwrap();
+            let (_, by_states) = cheapest_path(&rims, &Cost::StepCosts(metric), &band, false, None, &Job::default()).unwrap().unwrap();
             for path in [plain, by_states] {
-                let cost = metric.of_path(&a, &b, &path);
+                let cost = metric.path_cost(&a, &b, &path);
                 prop_assert!(within(&path) && (cost - least).abs() < 1e-12, "{metric:?} {cost} {least} {path:?}");
             }
         }
     }
 
-    /// The same by bends, on open and closed rims, with penalties, and of simple paths alone.
+    /// The search by bends is exact on open and closed rims, with penalties, and for simple paths.
     #[test]
     fn bends_in_bands_are_searched_exactly(
         a in prop::collection::vec(any::<(i8, i8, i8)>(), 3..6),
@@ -287,7 +287,7 @@ proptest! {
         let (a, b) = if closes { (closed(&a), closed(&b)) } else { (a, b) };
         let (n, m) = (a.len() - 1, b.len() - 1);
         let middle = walk(&path, n, m);
-        let band = Band::around(&middle, n, m, width).unwrap();
+        let band = Band::around_path(&middle, n, m, width).unwrap();
         let normals: Vec<DVec3> = polyline(&normals).into_iter().map(DVec3::normalize_or_zero).collect();
         let sides = Some([&normals[..n], &normals[6..6 + m]]);
         let penalties: Vec<StepPenalty> = penalties
@@ -311,14 +311,14 @@ proptest! {
         ];
         for (of, measure) in &cases {
             for simple in [false, true] {
-                // Of simple paths; one that is not may be cheaper.
+                // The least cost of simple paths; other paths may be cheaper.
                 let mut least = f64::INFINITY;
                 all_paths(&rims, &[[1, 0], [0, 1]], |path| {
                     if within(path) {
                         least = least.min(measure(path) + extra(path));
                     }
                 });
-                let Some((cost, path)) = cheapest(&rims, &Cost::Bends(of), &band, simple, None, &Job::default()).unwrap() else {
+                let Some((cost, path)) = cheapest_path(&rims, &Cost::Bends(of), &band, simple, None, &Job::default()).unwrap() else {
                     prop_assert!(simple && least == f64::INFINITY);
                     continue;
                 };
@@ -339,7 +339,7 @@ proptest! {
         a in prop::collection::vec(any::<(i8, i8, i8)>(), 1..4),
         b in prop::collection::vec(any::<(i8, i8, i8)>(), 1..6),
     ) {
-        // Two points give no strip to measure.
+        // Two points span no strip.
         prop_assume!(a.len() + b.len() > 2);
         check(&RimPair { a: &polyline(&a), b: &polyline(&b), closed: false, forbidden: &[], sides: None, penalties: &[] });
     }
@@ -348,7 +348,7 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(cases(16)))]
 
-    /// Blocks and bands lose nothing: a long wavy rim, coarse to fine and exactly.
+    /// Compares a long wavy rim from coarse to fine with the exact result.
     #[test]
     fn coarse_to_fine_is_nearly_the_best(
         n in 1500usize..2500,
@@ -364,12 +364,12 @@ proptest! {
             }).collect()
         };
         let (a, b) = (closed(&rim(n, 0.0, 0.0)), closed(&rim((ratio * n as f64) as usize, 0.3, shift)));
-        let lost = lost_by_coarse_search(&a, &b, &[]);
+        let lost = coarse_search_excess(&a, &b, &[]);
         prop_assert!(lost <= 0.0005, "{lost}");
     }
 
-    /// Rims as a cut through a mesh leaves them: teeth of some edges each, as high as edges are
-    /// long.
+    /// Rims as a cut through a mesh leaves them: teeth of a few edges each, as high as the edges
+    /// are long.
     #[test]
     fn coarse_to_fine_is_nearly_the_best_on_jagged_rims(
         n in 1500usize..2500,
@@ -393,24 +393,24 @@ proptest! {
         let (n, m) = (a.len() as u32 - 1, b.len() as u32 - 1);
         let place = |share: f64, count: u32| 1 + (share * f64::from(count - 2)) as u32;
         let barred = barred.iter().map(|&(i, j)| [place(i, n), place(j, m)]);
-        let lost = lost_by_coarse_search(&a, &b, &forbidden_nodes(barred, n, m, true).unwrap());
+        let lost = coarse_search_excess(&a, &b, &forbidden_nodes(barred, n, m, true).unwrap());
         prop_assert!(lost <= 0.0005, "{lost}");
     }
 }
 
-/// By how much of the least cost the coarse-to-fine search is dearer than the exact one, at most,
-/// over all costs of steps.
-fn lost_by_coarse_search(a: &[DVec3], b: &[DVec3], forbidden: &[Pair]) -> f64 {
+/// Returns the largest relative excess of the coarse-to-fine cost over the exact cost, over all
+/// step metrics.
+fn coarse_search_excess(a: &[DVec3], b: &[DVec3], forbidden: &[Pair]) -> f64 {
     let rims = RimPair { a, b, closed: true, forbidden, sides: None, penalties: &[] };
     let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
     let mut most = 0.0f64;
     for metric in [Metric::area(a, b, &paper), Metric::Diagonal, Metric::Quad] {
         let job = Job::default();
-        let find = |rims: &RimPair<'_>, band: &Band, job: &Job<'_>| lattice::cheapest(rims, metric, band, job);
+        let find = |rims: &RimPair<'_>, band: &Band, job: &Job<'_>| lattice::cheapest_path(rims, metric, band, job);
         let coarse = coarse::coarse_to_fine(&rims, &find, &job).unwrap().unwrap();
         let exact = find(&rims, &Band::full(a.len() - 1, b.len() - 1).unwrap(), &job).unwrap().unwrap();
         assert!(coarse.iter().all(|node| !forbidden.contains(node)));
-        let (coarse, exact) = (metric.of_path(a, b, &coarse), metric.of_path(a, b, &exact));
+        let (coarse, exact) = (metric.path_cost(a, b, &coarse), metric.path_cost(a, b, &exact));
         assert!(coarse >= exact * (1.0 - 1e-12), "{metric:?} {coarse} {exact}");
         most = most.max(coarse / exact - 1.0);
     }
@@ -419,7 +419,7 @@ fn lost_by_coarse_search(a: &[DVec3], b: &[DVec3], forbidden: &[Pair]) -> f64 {
 
 #[test]
 fn a_plane_ring_gets_short_meridians() {
-    // All strips of a plane ring have the same area and no bends; the ties must not leave a fan.
+    // All strips of a planar ring have equal area and no bends; the tie break must not leave a fan.
     let circle = |n: usize, r: f64| -> Vec<DVec3> {
         let angle = |i| std::f64::consts::TAU * i as f64 / n as f64;
         (0..n).map(|i| DVec3::new(r * angle(i).cos(), r * angle(i).sin(), 0.0)).collect()
@@ -429,11 +429,11 @@ fn a_plane_ring_gets_short_meridians() {
     let up = [vec![DVec3::NEG_Z; 48], vec![DVec3::NEG_Z; 32]];
     let known = RimPair { sides: Some([&up[0], &up[1]]), ..rims };
     for (choice, rims) in [(Meridians::MinArea, &rims), (Meridians::Smooth, &rims), (Meridians::Continuation, &known)] {
-        let chosen = meridians(rims, choice, Search::Auto, &Job::default()).unwrap().unwrap();
+        let chosen = meridians(rims, choice, MeridianSearch::Auto, &Job::default()).unwrap().unwrap();
         let length = |&[i, j]: &Pair| a[i as usize % 48].distance(b[j as usize % 32]);
         let longest = chosen.pairs.iter().map(length).fold(0.0, f64::max);
-        // None leans sideways by more than one edge: the gap is 0.3 wide, the longer edge 0.334
-        // long.
+        // No meridian leans sideways by more than one edge: the gap is 0.3 wide, and the longer
+        // edge 0.334 long.
         assert!(longest < 0.3f64.hypot(0.334), "{choice:?} {longest}");
     }
 }

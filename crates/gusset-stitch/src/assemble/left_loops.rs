@@ -1,7 +1,7 @@
-//! Why a loop was left that could carry a strip.
+//! The reason why a loop that could carry a strip was left.
 //!
-//! The loop that is nearest to most of its vertices is what it might have been joined with, one of
-//! another component before its own; of that it is said why it was not.
+//! The reason refers to the loop that is nearest to most of its vertices. Loops of other components
+//! take precedence over loops of the same component.
 
 use super::assemble_request::Reason;
 use super::candidates::{FacingSearch, Looks, STAGE, Slit};
@@ -11,20 +11,21 @@ use gusset_base::geom::kd_tree::KdTree;
 use gusset_base::job::Job;
 use gusset_base::sort;
 
-/// Loops between two progress reports.
+/// Number of loops between two progress reports.
 const LOOPS_PER_REPORT: usize = 1 << 8;
 
-/// What a left loop has nearest to it.
+/// The reason why a loop was left, and its distance from the nearest loop.
 pub(super) struct Explanation {
     pub(super) reason: Reason,
-    /// The mean distance from its vertices to the nearest of that loop, and how far it may be, in
-    /// the rims' unit; infinite and 0 without another loop.
+    /// The mean distance to the nearest vertices of that loop, in the rims' unit; infinite without
+    /// another loop.
     pub(super) gap: f64,
+    /// The largest distance at which they would be joined, in the rims' unit; 0 without another loop.
     pub(super) allowed: f64,
 }
 
 impl FacingSearch<'_> {
-    /// Of each loop that `left` marks, why: `used` are the loops that strips hang on.
+    /// Explains each loop that `left` marks. `used` must mark the loops with strips.
     ///
     /// O(V log V) for V vertices on loops.
     pub(super) fn explain(&self, left: &[bool], job: &Job<'_>) -> Result<Vec<Option<Explanation>>> {
@@ -37,7 +38,7 @@ impl FacingSearch<'_> {
         let nearest = |r: usize, own: bool, job: &Job<'_>| -> Result<Option<(usize, f64)>> {
             let mut seen = alloc::with_capacity(self.rims[r].points.len())?;
             for &p in &self.rims[r].points {
-                if looks.were_many() {
+                if looks.take_report_due() {
                     job.step(0.0, STAGE)?;
                 }
                 let accept = |v: u32| {
