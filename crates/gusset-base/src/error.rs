@@ -379,8 +379,8 @@ pub enum Error {
     /// Memory for an array could not be allocated.
     #[error("{bytes} bytes of memory could not be allocated")]
     OutOfMemory { bytes: u64 },
-    /// The host cancelled the call.
-    #[error("cancelled by the host")]
+    /// The caller cancelled the call.
+    #[error("the caller cancelled the call")]
     Cancelled,
 }
 

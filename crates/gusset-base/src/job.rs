@@ -13,6 +13,11 @@ pub trait Progress {
     /// stage. Return `Break` to cancel: the computation then soon returns [`Error::Cancelled`].
     fn step(&self, fraction: f64, stage: &'static str) -> ControlFlow<()>;
 
+    /// Reports that the computation is complete, before its results are returned. `Break` cancels.
+    fn finish(&self) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+
     /// Receives a message that may interest the caller but is not an error.
     fn note(&self, _message: &str) {}
 }
@@ -78,11 +83,18 @@ impl<'a> Job<'a> {
     pub fn report(&self, fraction: f64, stage: &'static str) -> Result<()> {
         // Work without elements reports 0 / 0.
         let fraction = if fraction.is_nan() { 0.0 } else { fraction.clamp(0.0, 1.0) };
-        let whole = self.from + (self.to - self.from) * fraction;
-        match self.progress.step(whole, stage) {
-            ControlFlow::Continue(()) => Ok(()),
-            ControlFlow::Break(()) => Err(Error::Cancelled),
-        }
+        answer(self.progress.step(self.from + (self.to - self.from) * fraction, stage))
+    }
+
+    /// Tells the host that the computation is complete. To be called after the last step, before
+    /// anything is changed that the caller has.
+    ///
+    /// # Errors
+    ///
+    /// As [`Job::step`].
+    pub fn finish(&self) -> Result<()> {
+        self.memory()?;
+        answer(self.progress.finish())
     }
 
     /// Returns [`Error::OutOfMemory`] if any thread has taken memory from the reserve since the job
@@ -133,6 +145,13 @@ impl<'a> Job<'a> {
     /// Passes a note to the host.
     pub fn note(&self, message: &str) {
         self.progress.note(message);
+    }
+}
+
+fn answer(given: ControlFlow<()>) -> Result<()> {
+    match given {
+        ControlFlow::Continue(()) => Ok(()),
+        ControlFlow::Break(()) => Err(Error::Cancelled),
     }
 }
 
