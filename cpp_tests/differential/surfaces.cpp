@@ -243,7 +243,9 @@ void sections(Case &test, const Tested &tested) {
     for (int k = 0; k < 3; ++k) {
         const Point at = random_point(test.random, 0.7), normal = unit(random_point(test.random, 1));
         const double chord = 1e-4;
-        const gusset::SurfacePaths paths = tested.surface.section(at, normal, gusset::PointSpacing::chord(chord));
+        gusset::ContourOptions options;
+        options.chord = chord;
+        const gusset::SurfacePaths paths = tested.surface.section(at, normal, options);
         std::vector<Slice> own;
         std::vector<Point> middles;
         for (const gusset::SurfacePath &path : paths) {

@@ -93,8 +93,8 @@ static void many_pieces(const Mesh &left, const Mesh &right) {
     const std::vector<gusset::MeshView> pieces = {gusset::MeshView::triangles(left.points, left.corners),
                                                   gusset::MeshView::triangles(right.points, right.corners)};
     gusset::JoinOptions options;
-    options.max_gap = 2.0;               // in the unit of the points
-    options.fill = gusset::FillOptions(); // what is left is filled
+    options.max_gap = 2.0; // in the unit of the points
+    options.fill = true;   // what is left is filled
     const gusset::Join whole(pieces, options);
     for (const gusset_joint &joint : whole.joints()) {
         std::cout << "a gap of " << joint.gap << (joint.outcome == GUSSET_JOINT_JOINED ? ", joined\n" : ", left\n");

@@ -92,9 +92,9 @@ inline std::vector<Mesh> quarters() {
 inline gusset::JoinOptions assembly_of_quarters() {
     gusset::JoinOptions options;
     options.max_gap = 0.3;
-    options.strips.rows = gusset::StripRows::mean_edge();
-    options.fill = gusset::FillOptions();
-    options.fill->keep = gusset::FillKeep::longest; // the rim of the whole is no hole
+    options.strip_options.rows = gusset::RowRule::mean_edge;
+    options.fill = true;
+    options.fill_options.keep = gusset::FillKeep::longest; // the rim of the whole is no hole
     return options;
 }
 

@@ -1,4 +1,5 @@
-// Sheets: grids of patches. Include gusset.hpp, not this.
+/// @file
+/// Sheets: grids of patches. Include gusset.hpp, not this.
 #ifndef GUSSET_SHEET_HPP
 #define GUSSET_SHEET_HPP
 
@@ -45,6 +46,7 @@ public:
         view.nodes_.column_stride = detail::stride_in_bytes<T>(column_stride);
         return view;
     }
+    /// The argument for the C interface, which this still owns.
     const gusset_nodes &get() const noexcept { return nodes_; }
 
 private:
@@ -91,7 +93,9 @@ struct CurveNet {
     Span<const Curve> columns;
     /// The largest distance of curves that meet; 0: 1e-6 of the diagonal of their box.
     double tolerance = 0.0;
+    /// See ::gusset_curve_net::closed_u.
     bool closed_u = false;
+    /// See ::gusset_curve_net::closed_v.
     bool closed_v = false;
 };
 
@@ -107,16 +111,21 @@ struct SheetEstimates {
 
 /// Bounds of the diameters of cells, row after row; see gusset_cell_arrays.
 struct CellDiameters {
-    /// For each cell a bound of the distance of two of its points, in space and within the cell.
-    std::vector<double> euclidean, intrinsic;
-    /// The largest of each.
-    double max_euclidean, max_intrinsic;
+    /// For each cell a bound of the distance of two of its points in space.
+    std::vector<double> euclidean;
+    /// For each cell a bound of the distance of two of its points within the cell.
+    std::vector<double> intrinsic;
+    /// The largest of `euclidean`.
+    double max_euclidean;
+    /// The largest of `intrinsic`.
+    double max_intrinsic;
 };
 
 /// A sheet: rows and columns of cells, each a Bézier patch. Immutable; may be used from many
 /// threads.
 class Sheet {
 public:
+    /// Takes ownership of a handle of the C interface.
     explicit Sheet(gusset_sheet *owned) : sheet_(owned) {}
 
     /// Through a copy of nodes.
@@ -232,7 +241,9 @@ public:
         return offset({&distance, 1}, deviation, context);
     }
 
+    /// The argument for the C interface, which this still owns.
     const gusset_sheet *get() const noexcept { return sheet_.get(); }
+    /// See ::gusset_sheet_get_report.
     gusset_sheet_report report() const { return detail::lent(gusset_sheet_get_report, get()); }
     /// For a sheet of a B-spline: the parameters of the borders of its rows, or of its columns, valid
     /// as long as the sheet. Any other sheet has none.

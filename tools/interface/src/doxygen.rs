@@ -115,6 +115,7 @@ fn cleaned(comment: &Comment) -> Comment {
         "when" => text.split_once(' ').map(|(field, values)| format!("Read only if {field} is {values}.")),
         "flag" => Some("0 or 1.".to_owned()),
         "bits" => Some("A sum of constants.".to_owned()),
+        "points" => Some("Three numbers a point.".to_owned()),
         "values" => Some(format!("Takes {text} only.")),
         _ => None,
     };
