@@ -261,9 +261,7 @@ void add_surface_rows(std::vector<Row> &rows) {
                             curves->push_back(curve_of(circle(3 * (n / 8) + 1, 1.0, static_cast<double>(k)), 3));
                         }
                         return making([=](const Context &context) {
-                            gusset::CurveNet net;
-                            net.rows = *curves;
-                            return Sheet::from_curves(net, context);
+                            return Sheet::from_curves(*curves, {}, {}, context);
                         });
                     }, true});
     rows.push_back(on_sheet("sheet_measure", 0, [](const Sheet &sheet, const Context &context) { return sheet.estimates(context); }, "estimates"));

@@ -63,7 +63,7 @@ Tested random_surface(Random &random) {
     const auto kind = static_cast<Kind>(random.below(3));
     const std::size_t rows = random.between(5, 16), columns = random.between(6, 20);
     const Waves waves(random, random.one_in(3) ? 0.0 : random.real(0.05, 0.5));
-    gusset::SheetOptions options;
+    gusset::NodesOptions options;
     options.scheme = random.one_in(3) ? gusset::Scheme::four_point : gusset::Scheme::six_tap;
     options.closed_u = kind == Kind::torus;
     options.closed_v = kind != Kind::wave;

@@ -148,7 +148,7 @@ static void surfaces() {
             nodes.push_back({radius * std::cos(angle), radius * std::sin(angle), 0.25 * row});
         }
     }
-    gusset::SheetOptions options;
+    gusset::NodesOptions options;
     options.closed_v = true;
     const gusset::Surface vase(gusset::Sheet::from_nodes(13, 25, nodes, options));
     const gusset::NearestPoint nearest = vase.nearest({3, 0, 1.5});

@@ -125,7 +125,7 @@ inline gusset::Sheet tube() {
             nodes.push_back({radius * std::cos(angle), radius * std::sin(angle) + 0.2 * std::sin(0.35 * i), 0.18 * i - 1.15});
         }
     }
-    gusset::SheetOptions round;
+    gusset::NodesOptions round;
     round.closed_v = true;
     return gusset::Sheet::from_nodes(15, 25, nodes, round);
 }

@@ -5,7 +5,6 @@
 
 #include <gusset/result.hpp>
 #include <gusset/sheet.hpp>
-#include <gusset/surface_options.hpp>
 
 namespace gusset {
 

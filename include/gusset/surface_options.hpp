@@ -17,6 +17,16 @@ struct SurfaceOptions {
     bool cones = false;
 };
 
+/// Options among the inputs of gusset_nodes. See ::gusset_nodes.
+struct NodesOptions {
+    /// Interpolation through nodes.
+    Scheme scheme = Scheme::six_tap;
+    /// 1: closed in u; the last row repeats the first.
+    bool closed_u = false;
+    /// 1: closed in v; the last column repeats the first.
+    bool closed_v = false;
+};
+
 /// Limits of a search for near points. See ::gusset_nearest_options.
 struct NearestOptions {
     /// Largest distance of a point, at least 0; 0 or INFINITY: no limit.
@@ -50,6 +60,26 @@ struct IntersectionOptions {
     SpacingRule spacing = SpacingRule::automatic;
 };
 
+/// Options among the inputs of gusset_spline. See ::gusset_spline.
+struct SplineOptions {
+    /// Largest distance from a rational spline at equal parameters. Rounding requires about 1e-13 of the size. 0: 1e-12
+    /// of the control points' box diagonal, or more where rounding requires it.
+    double tolerance = 0.0;
+    /// Maximum number of cells of a rational spline; 0: 2^20.
+    std::size_t max_cells = 0;
+};
+
+/// Options among the inputs of gusset_curve_net. See ::gusset_curve_net.
+struct CurveNetOptions {
+    /// Largest distance between two curves where they meet, finite; both move to the middle. 0: 1e-6 of the curves' box
+    /// diagonal.
+    double tolerance = 0.0;
+    /// 1: the columns are closed, and the first row follows the last.
+    bool closed_u = false;
+    /// 1: the rows are closed, and the first column follows the last.
+    bool closed_v = false;
+};
+
 /// Options of gusset_sheet_to_mesh. See ::gusset_sheet_mesh_options.
 struct SheetMeshOptions {
     /// Largest distance of triangles from the surface, above 0; 0 or INFINITY: unlimited.
@@ -67,6 +97,14 @@ inline gusset_surface_options as_c(const SurfaceOptions &options) {
     auto given = sized<gusset_surface_options>();
     given.tolerance = options.tolerance;
     given.cones = options.cones ? 1 : 0;
+    return given;
+}
+
+inline gusset_nodes as_c(const NodesOptions &options) {
+    auto given = sized<gusset_nodes>();
+    given.scheme = static_cast<gusset_scheme>(options.scheme);
+    given.closed_u = options.closed_u ? 1 : 0;
+    given.closed_v = options.closed_v ? 1 : 0;
     return given;
 }
 
@@ -99,6 +137,21 @@ inline gusset_intersection_options as_c(const IntersectionOptions &options) {
         given.chord = *options.chord;
         given.spacing = GUSSET_POINT_SPACING_CHORD;
     }
+    return given;
+}
+
+inline gusset_spline as_c(const SplineOptions &options) {
+    auto given = sized<gusset_spline>();
+    given.tolerance = options.tolerance;
+    given.max_cells = options.max_cells;
+    return given;
+}
+
+inline gusset_curve_net as_c(const CurveNetOptions &options) {
+    auto given = sized<gusset_curve_net>();
+    given.tolerance = options.tolerance;
+    given.closed_u = options.closed_u ? 1 : 0;
+    given.closed_v = options.closed_v ? 1 : 0;
     return given;
 }
 

@@ -10,6 +10,7 @@
 //! | a pointer to a struct of options | the struct of C++ by value |
 //! | a pointer to a handle, a struct | the same |
 //!
+//! A struct of other inputs has its own struct of C++ for the fields with `@option`; its conversion leaves all else 0.
 //! A neighbour that an optional member decides alone is no member: a `@flag`, or a choice of two.
 
 use crate::Generated;
@@ -87,12 +88,21 @@ pub fn options(sources: &[Source]) -> Result<Vec<Generated>, String> {
     Ok(made)
 }
 
-/// A struct of options and its fields.
+/// A struct of options, or of other inputs with options, and its fields.
 fn as_options(item: &Item) -> Option<(&Item, &[Field])> {
     match &item.kind {
-        Kind::Struct(fields) if item.name.ends_with(SUFFIX) => Some((item, fields)),
+        Kind::Struct(fields) if item.name.ends_with(SUFFIX) || fields.iter().any(is_tagged) => Some((item, fields)),
         _ => None,
     }
+}
+
+fn is_tagged(field: &Field) -> bool {
+    field.comment.tag("option").is_some()
+}
+
+/// The name of the struct of C++.
+fn name_of(item: &Item) -> String {
+    format!("{}Options", camel_case(item.name.trim_end_matches(SUFFIX)))
 }
 
 impl<'a> Writer<'a> {
@@ -102,7 +112,8 @@ impl<'a> Writer<'a> {
 
     /// What a field becomes; none if it is no member of its own.
     fn member(&self, field: &'a Field, fields: &'a [Field]) -> Result<Option<Member<'a>>, String> {
-        if ["struct_size", "reserved"].contains(&field.name.as_str())
+        if fields.iter().any(is_tagged) && !is_tagged(field)
+            || ["struct_size", "reserved"].contains(&field.name.as_str())
             || fields.iter().any(|array| count_of(array, fields) == Some(field.name.as_str()))
             || fields.iter().any(|other| self.decided(other, fields).is_some_and(|(decided, _)| decided == field.name))
         {
@@ -154,8 +165,10 @@ impl<'a> Writer<'a> {
 
     /// The struct of C++.
     fn declared(&self, item: &Item, fields: &'a [Field]) -> Result<String, String> {
-        let mut text =
-            format!("\n/// {} See ::{}.\nstruct {} {{\n", item.comment.brief, item.name, camel_case(&item.name));
+        let c = &item.name;
+        let brief =
+            if c.ends_with(SUFFIX) { item.comment.brief.clone() } else { format!("Options among the inputs of {c}.") };
+        let mut text = format!("\n/// {brief} See ::{c}.\nstruct {} {{\n", name_of(item));
         for field in fields {
             let Some(member) = self.member(field, fields)? else { continue };
             text += &comment_lines(&self.comment(field, fields), "    ");
@@ -225,7 +238,7 @@ impl<'a> Writer<'a> {
 
     /// The conversion to C.
     fn converted(&self, item: &Item, fields: &'a [Field]) -> Result<String, String> {
-        let name = camel_case(&item.name);
+        let name = name_of(item);
         let (mut plain, mut optional, mut nested, mut borrows) = (String::new(), String::new(), Vec::new(), false);
         for field in fields {
             let Some(member) = self.member(field, fields)? else { continue };
