@@ -1,13 +1,14 @@
-// gusset: joins surfaces that come in pieces. The C++17 face of gusset.h: RAII, ranges, exceptions.
-// Header only.
-//
-// * Every failure of the library is a gusset::Error with the status, the sentence and the report.
-//   Mistakes that the wrapper finds itself are std::logic_error: std::invalid_argument where arrays do
-//   not fit together, std::out_of_range where there is no such element.
-// * A callback may throw: the call is cancelled, and the exception comes out of it.
-// * Results own their memory; spans and views into them are valid as long as they live, and an empty
-//   span has no pointer. Results are immutable and may be read from many threads. A Context serves one
-//   call at a time.
+/// @file
+/// gusset: joins surfaces that come in pieces. The C++17 face of gusset.h: RAII, ranges, exceptions.
+/// Header only.
+///
+/// * Every failure of the library is a gusset::Error with the status, the sentence and the report.
+///   Mistakes that the wrapper finds itself are std::logic_error: std::invalid_argument where arrays do
+///   not fit together, std::out_of_range where there is no such element.
+/// * A callback may throw: the call is cancelled, and the exception comes out of it.
+/// * Results own their memory; spans and views into them are valid as long as they live, and an empty
+///   span has no pointer. Results are immutable and may be read from many threads. A Context serves one
+///   call at a time.
 #ifndef GUSSET_HPP
 #define GUSSET_HPP
 
@@ -17,6 +18,7 @@
 #include <gusset/check.hpp>
 #include <gusset/curve.hpp>
 #include <gusset/development.hpp>
+#include <gusset/facing.hpp>
 #include <gusset/fill.hpp>
 #include <gusset/frame.hpp>
 #include <gusset/join.hpp>
@@ -32,6 +34,7 @@
 #include <gusset/sheet.hpp>
 #include <gusset/sheet_mesh.hpp>
 #include <gusset/stitch.hpp>
+#include <gusset/strip.hpp>
 #include <gusset/surface.hpp>
 #include <gusset/trim.hpp>
 #include <gusset/winged.hpp>

@@ -1,18 +1,19 @@
 #!/usr/bin/env python3
 """Doxygen's filter for the pages: names of the interface in `code` become links to the reference, outside blocks of code; and
 links to pictures and programs lead to where the site has them, beside its pages. Pages about the Rust sources name types of Rust,
-which are not the C++ classes of the same name."""
+which are not the C++ classes of the same name. `build/docs/classes.xml` is doxygen's own list of classes."""
 
 import json
 import re
 import sys
 from pathlib import Path
+from xml.etree import ElementTree
 
 ROOT = Path(__file__).resolve().parent.parent
-CPP = "".join(path.read_text() for path in sorted((ROOT / "include").rglob("*.hpp")))
 FUNCTIONS = {function["name"] for function in json.loads((ROOT / "build/interface.json").read_text())["functions"]}
 ABOUT_RUST = re.search(r"docs/decisions/|(^|/)(ARCHITECTURE|CONTRIBUTING|rust)\.md$", sys.argv[1])
-CLASSES = set() if ABOUT_RUST else set(re.findall(r"^(?:class|struct) (\w+)", CPP, re.M))
+COMPOUNDS = [] if ABOUT_RUST else ElementTree.parse(ROOT / "build/docs/classes.xml").iterfind("compound/name")
+CLASSES = {name.text.removeprefix("gusset::") for name in COMPOUNDS}
 
 
 def link(match):

@@ -47,7 +47,9 @@ std::vector<Row> curve_rows() {
     const auto itself = [](const Curve &curve, const Context &context) { return curve.self_intersections(context); };
     const auto near = [](const Curve &curve, const Context &context) { return curve.intersect(curve, 0.01, context); };
     const auto offset = [](const Curve &curve, const Context &context) {
-        return curve.offset(0.01, 1e-4, 3, 0, context);
+        gusset::OffsetOptions options;
+        options.tolerance = 1e-4;
+        return curve.offset(0.01, options, context);
     };
     const auto measure = [](const Curve &curve, const Context &context) { return curve.measure(0, context); };
     const auto plane = [](const Curve &curve, const Context &context) {
@@ -70,12 +72,24 @@ std::vector<Row> curve_rows() {
                 const uint32_t offsets[] = {0, static_cast<uint32_t>(n), static_cast<uint32_t>(2 * n)};
                 gusset::Outlines sections(*points, true);
                 sections.offsets(offsets);
-                return gusset::Frame(sections, how(static_cast<uint32_t>(n)), {}, {}, false, context);
+                return gusset::Frame(sections, how(static_cast<uint32_t>(n)), context);
             });
         };
     };
-    const auto by_length = [](uint32_t n) { return gusset::Correspondence::arc_length(n); };
-    const auto by_angle = [](uint32_t) { return gusset::Correspondence::angle(16, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}); };
+    const auto by_length = [](uint32_t n) {
+        gusset::FrameOptions options;
+        options.correspondence = gusset::CorrespondenceRule::arc_length;
+        options.columns = n;
+        return options;
+    };
+    const auto by_angle = [](uint32_t) {
+        gusset::FrameOptions options;
+        options.correspondence = gusset::CorrespondenceRule::angle;
+        options.columns = 16;
+        options.axis_direction = {0, 0, 1};
+        options.reference = {1, 0, 0};
+        return options;
+    };
     return {
         {"curve_intersect_create", "equal copy of a circle", 16, 2000, 1, 1, 0, on_curve(round, copy)},
         {"curve_intersect_create", "equal copy of a line", 16, 2000, 1, 1, 0, on_curve(line, copy), true},

@@ -66,7 +66,7 @@ std::function<Call(std::size_t)> with_strip(Use use) {
             loop->push_back(i);
         }
         gusset::StitchOptions options;
-        options.rows = gusset::StripRows::exactly(2);
+        options.row_count = 2;
         const auto made = std::make_shared<const gusset::Stitch>(gusset::stitch(mesh->view(), *loop, other->view(), *loop, options));
         const auto origins = std::make_shared<const gusset::Origins>(made->origins());
         return making([=](const gusset::Context &context) { return use(*made, *origins, context); });
@@ -90,7 +90,9 @@ std::vector<Row> mesh_rows() {
         return gusset::Sew(mesh, gusset::WeldOptions(), context);
     };
     const auto orient = [](const MeshView &mesh, const Context &context) {
-        return gusset::Orient(mesh, gusset::Outward::closed, context);
+        gusset::OrientOptions options;
+        options.outward = gusset::Outward::closed;
+        return gusset::Orient(mesh, options, context);
     };
     const auto assemble = [](const MeshView &mesh, const Context &context) {
         const MeshView pieces[] = {mesh};
@@ -128,7 +130,7 @@ std::vector<Row> mesh_rows() {
         return gusset::Fill(mesh, options, context);
     };
     const auto winged = [](const MeshView &mesh, const Context &context) {
-        return gusset::Winged(mesh, gusset::Winding::counter_clockwise, context);
+        return gusset::Winged(mesh, gusset::WingedOptions(), context);
     };
     const auto open_fan = [](std::size_t n) { return fan(n, false); };
     const auto closed_fan = [](std::size_t n) { return fan(n, true); };

@@ -73,13 +73,15 @@ void add_net_rows(std::vector<Row> &rows) {
                     }, true});
     rows.push_back({"net_from_mesh_create", "quads", 4096, 0, 1, 1, 0, [](std::size_t n) {
                         const auto mesh = std::make_shared<const gusset::NetMesh>(net_of_grid(plane_grid(n)));
-                        return making([=](const Context &context) { return gusset::NetGrid(mesh->mesh(), std::nullopt, context); });
+                        return making([=](const Context &context) { return gusset::NetGrid(mesh->mesh(), gusset::NetGridOptions(), context); });
                     }, true});
     rows.push_back({"net_from_mesh_create", "triangles", 4096, 0, 1, 1, 0, [](std::size_t n) {
                         gusset::NetMeshOptions options;
                         options.faces = gusset::NetFaces::triangles_fixed;
                         const auto mesh = std::make_shared<const gusset::NetMesh>(net_of_grid(plane_grid(n)), options);
-                        return making([=](const Context &context) { return gusset::NetGrid::of_triangles(mesh->mesh(), context); });
+                        gusset::NetGridOptions pairs;
+                        pairs.cells = gusset::GridCells::triangles;
+                        return making([=](const Context &context) { return gusset::NetGrid(mesh->mesh(), pairs, context); });
                     }, true});
     rows.push_back(on_net("net_copy_create", 0, [](const Net &net, const Context &) { return Net(net); }));
     rows.push_back(on_net("net_copy_create", 0, [](const Net &net, const Context &context) {
@@ -94,10 +96,10 @@ void add_net_rows(std::vector<Row> &rows) {
     }, "flipped"));
     rows.push_back(on_net("net_copy_create", 0, [](const Net &net, const Context &context) { return net.turned(1, context); }, "turned"));
     rows.push_back(on_net("net_copy_create", 0, [](const Net &net, const Context &context) {
-        gusset::ReformatOptions options;
+        gusset::NetCopyOptions options;
         options.rows = net.rows() + 1;
         options.columns = net.columns() + 1;
-        return net.reformatted(options, context);
+        return net.copied(options, context);
     }, "larger"));
     rows.push_back(on_net("net_copy_create", 0, [](const Net &net, const Context &context) { return net.compacted(context); }, "compact"));
     rows.push_back(on_net("net_decimate_create", 0, [](const Net &net, const Context &context) { return net.decimated(0.1, context); }));
@@ -114,7 +116,7 @@ void add_net_rows(std::vector<Row> &rows) {
         return concatenate(net, net, {}, context).split(0, context);
     }));
     rows.push_back(on_net("net_analysis_create", 0, [](const Net &net, const Context &context) {
-        return gusset::NetAnalysis(net, net, 0.0, context);
+        return gusset::NetAnalysis(net, net, context);
     }));
     rows.push_back(on_net("net_complex_create", 0, [](const Net &net, const Context &context) {
         return gusset::NetComplex(net, gusset::NetCells::all, context);
@@ -213,7 +215,7 @@ void add_curve_rows(std::vector<Row> &rows) {
     rows.push_back({"outlines_find_sections", "circle", 1024, 0, 1, 1, 0, [](std::size_t n) {
                         const auto points = std::make_shared<const std::vector<Point3>>(circle(n, 1.0, 0.0));
                         return making([=](const Context &context) {
-                            return gusset::Sections(gusset::Outlines(*points, true), gusset::SectionMethod::bisector, 0.5, context);
+                            return gusset::Sections(gusset::Outlines(*points, true), gusset::OutlineOptions(), context);
                         });
                     }, true});
     const auto two_rims = [](auto function) {
@@ -225,7 +227,9 @@ void add_curve_rows(std::vector<Row> &rows) {
     };
     using Points = std::vector<Point3>;
     rows.push_back({"strip", "circles", 1024, 0, 1, 1, 0, two_rims([](const Points &a, const Points &b, const Context &context) {
-                        return gusset::Strip(a, b, true, {}, context);
+                        gusset::StripOptions options;
+                        options.closed = true;
+                        return gusset::Strip(a, b, options, context);
                     }), true});
 }
 
@@ -257,9 +261,7 @@ void add_surface_rows(std::vector<Row> &rows) {
                             curves->push_back(curve_of(circle(3 * (n / 8) + 1, 1.0, static_cast<double>(k)), 3));
                         }
                         return making([=](const Context &context) {
-                            gusset::CurveNet net;
-                            net.rows = *curves;
-                            return Sheet::from_curves(net, context);
+                            return Sheet::from_curves(*curves, {}, {}, context);
                         });
                     }, true});
     rows.push_back(on_sheet("sheet_measure", 0, [](const Sheet &sheet, const Context &context) { return sheet.estimates(context); }, "estimates"));

@@ -37,7 +37,7 @@ std::vector<Row> surface_rows() {
     const auto index = [](auto family) {
         return [=](std::size_t n) {
             const auto sheet = std::make_shared<const Sheet>(sheet_of(family(n)));
-            return making([=](const Context &context) { return Surface(*sheet, 0.0, context); });
+            return making([=](const Context &context) { return Surface(*sheet, gusset::SurfaceOptions(), context); });
         };
     };
     const auto nearest = [](const Surface &surface, const Context &context) {
@@ -56,11 +56,11 @@ std::vector<Row> surface_rows() {
         return a.distance(b, 0.0, context);
     };
     const auto section = [](const Surface &surface, const Context &context) {
-        return surface.section({0, 0, 0}, {0, 0, 1}, gusset::PointSpacing(), context);
+        return surface.section({0, 0, 0}, {0, 0, 1}, gusset::ContourOptions(), context);
     };
     const auto isophotes = [](const Surface &surface, const Context &context) {
         const double angles[] = {0.5};
-        return surface.isophotes({0, 0, 1}, angles, gusset::NormalSide::one, gusset::PointSpacing(), context);
+        return surface.isophotes({0, 0, 1}, angles, gusset::NormalSide::one, gusset::ContourOptions(), context);
     };
     const auto hits = [](const Surface &surface, const Context &context) {
         return surface.line_hits(gusset::Line::line({0, 0.3, 0}, {1, 0.2, 0}), gusset::HitSelection::all, context);

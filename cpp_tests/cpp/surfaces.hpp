@@ -46,13 +46,20 @@ std::vector<Point3> nodes(std::size_t rows, std::size_t columns, bool closed_u, 
     return found;
 }
 
+inline gusset::NodesOptions closed(bool u, bool v, gusset::Scheme scheme = gusset::Scheme::six_tap) {
+    gusset::NodesOptions options;
+    options.closed_u = u;
+    options.closed_v = v;
+    options.scheme = scheme;
+    return options;
+}
 inline gusset::Sheet torus_sheet(std::size_t rows = 24, std::size_t columns = 40) {
-    return gusset::Sheet::from_nodes(rows + 1, columns + 1, nodes(rows, columns, true, true, torus), {true, true});
+    return gusset::Sheet::from_nodes(rows + 1, columns + 1, nodes(rows, columns, true, true, torus), closed(true, true));
 }
 inline gusset::Sheet sphere_sheet(std::size_t rows = 24, std::size_t columns = 40) {
     // Poles to the bit.
     const auto exact = [](double u, double v) { return u == 0 || u == 1 ? Point3{0, 0, u == 0 ? 1.0 : -1.0} : sphere(u, v); };
-    return gusset::Sheet::from_nodes(rows + 1, columns + 1, nodes(rows, columns, false, true, exact), {false, true});
+    return gusset::Sheet::from_nodes(rows + 1, columns + 1, nodes(rows, columns, false, true, exact), closed(false, true));
 }
 inline Point3 wave(double u, double v) { return {2 * u - 1, 2 * v - 1, 0.2 * std::sin(9 * u) * std::cos(7 * v + 1)}; }
 inline gusset::Sheet wavy_sheet() { return gusset::Sheet::from_nodes(31, 37, nodes(30, 36, false, false, wave)); }

@@ -219,7 +219,7 @@ TEST_CASE("cuts are those that CGAL finds") {
             for (uint32_t rows : {0u, 1u, 4u}) {
                 gusset::StitchOptions options;
                 options.meridians = static_cast<gusset::Meridians>(rule);
-                options.rows = gusset::StripRows::exactly(rows);
+                options.row_count = rows;
                 options.intersections = gusset::Intersections::report;
                 CAPTURE(rule);
                 CAPTURE(rows);
@@ -247,10 +247,10 @@ TEST_CASE("a torus in sectors, apart, some inside out: closed, and outwards, or 
             }
             gusset::JoinOptions options;
             options.outward = set / 2 % 2 == 0 ? gusset::Outward::keep : gusset::Outward::closed;
-            options.strips.rows = rows ? gusset::StripRows::mean_edge() : gusset::StripRows::none();
-            options.strips.meridians = rows ? gusset::Meridians::quad : gusset::Meridians::min_area;
-            options.strips.cells = rows ? gusset::StripCells::quads : gusset::StripCells::triangles;
-            options.strips.fairing = rows ? gusset::Fairing::thin_plate : gusset::Fairing::none;
+            options.strip_options.rows = rows ? gusset::RowRule::mean_edge : gusset::RowRule::none;
+            options.strip_options.meridians = rows ? gusset::Meridians::quad : gusset::Meridians::min_area;
+            options.strip_options.cells = rows ? gusset::StripCells::quads : gusset::StripCells::triangles;
+            options.strip_options.fairing = rows ? gusset::Fairing::thin_plate : gusset::Fairing::none;
             const gusset::Join done(views(pieces), options);
             const Verdict verdict = check_account(done, pieces);
             check_closed(verdict, 0);
@@ -272,7 +272,7 @@ TEST_CASE("octants: sewn where they touch, joined and filled where they do not")
         const auto pieces = cut(ball, gap, octant);
         REQUIRE(pieces.size() == 8);
         gusset::JoinOptions options;
-        options.fill = gusset::FillOptions();
+        options.fill = true;
         const gusset::Join done(views(pieces), options);
         const Verdict verdict = check_account(done, pieces);
         check_closed(verdict, 2);
@@ -281,7 +281,7 @@ TEST_CASE("octants: sewn where they touch, joined and filled where they do not")
         CHECK(done.joints().empty() == (gap == 0.0));
         CHECK((done.report().welded_vertices > 0) == (gap == 0.0));
         // Without filling the holes stay: the ends, and where gaps meet.
-        options.fill.reset();
+        options.fill = false;
         CHECK(!check_account(gusset::Join(views(pieces), options), pieces).closed);
     }
 }
@@ -397,7 +397,7 @@ TEST_CASE("garment: hem to waist, sleeves, neck and legs left") {
 TEST_CASE("bunny: head and body") {
     const std::string pair = "pairs/bunny_cut/";
     gusset::JoinOptions options;
-    options.strips.intersections = gusset::Intersections::report;
+    options.strip_options.intersections = gusset::Intersections::report;
     if (const auto found = assembled({pair + "body.off", pair + "head.off"}, options)) {
         CHECK(found->second.components == 1);
         CHECK(found->second.boundary == Lengths{80, 42, 40, 39, 22});
@@ -406,10 +406,10 @@ TEST_CASE("bunny: head and body") {
         CHECK(found->first.joints()[0].intersections_known == 1);
         CHECK(found->first.joints()[0].intersections.count == 0);
     }
-    options.strips.meridians = gusset::Meridians::quad;
-    options.strips.rows = gusset::StripRows::mean_edge();
-    options.strips.fairing = gusset::Fairing::thin_plate;
-    options.fill = gusset::FillOptions();
+    options.strip_options.meridians = gusset::Meridians::quad;
+    options.strip_options.rows = gusset::RowRule::mean_edge;
+    options.strip_options.fairing = gusset::Fairing::thin_plate;
+    options.fill = true;
     if (const auto found = assembled({pair + "body.off", pair + "head.off"}, options)) {
         check_closed(found->second, 2);
         CHECK(found->second.self_intersections == 0);
@@ -453,7 +453,7 @@ TEST_CASE("cuts of real strips are those that CGAL finds") {
         for (auto rule : {gusset::Meridians::min_area, gusset::Meridians::index, gusset::Meridians::quad}) {
             gusset::StitchOptions options;
             options.meridians = rule;
-            options.rows = gusset::StripRows::exactly(rule == gusset::Meridians::min_area ? 0 : 3);
+            options.row_count = rule == gusset::Meridians::min_area ? 0 : 3;
             options.intersections = gusset::Intersections::report;
             const std::size_t straight = check_cuts(gusset::stitch(a.view(), b.view(), options));
             options.fairing = gusset::Fairing::thin_plate;

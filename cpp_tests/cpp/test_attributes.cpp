@@ -110,7 +110,7 @@ Soup bowl(uint32_t n, double z, double turn) {
 TEST_CASE("linear fields on every kind of result") {
     const Soup up = bowl(24, 1, 1), down = bowl(17, 1, -1);
     gusset::StitchOptions options;
-    options.rows = gusset::StripRows::exactly(2);
+    options.row_count = 2;
     const gusset::Stitch stitch = gusset::stitch(up.view(), down.view(), options);
     check_fields(stitch.origins(), stitch.mesh(), {up, down});
 
@@ -120,8 +120,9 @@ TEST_CASE("linear fields on every kind of result") {
     check_fields(fill.origins(), fill.mesh(), {up});
 
     gusset::JoinOptions all;
-    all.strips = options;
-    all.fill = fine;
+    all.strip_options = options;
+    all.fill = true;
+    all.fill_options = fine;
     const std::vector<gusset::MeshView> pieces{up.view(), down.view()};
     const gusset::Join assembly(pieces, all);
     check_fields(assembly.origins(), assembly.mesh(), {up, down});
@@ -199,7 +200,7 @@ TEST_CASE("linear fields on real meshes") {
         check_fields(fill.origins(), fill.mesh(), {soup});
         const std::vector<gusset::MeshView> pieces{soup.view()};
         gusset::JoinOptions rows;
-        rows.strips.rows = gusset::StripRows::mean_edge();
+        rows.strip_options.rows = gusset::RowRule::mean_edge;
         const gusset::Join assembly(pieces, rows);
         check_fields(assembly.origins(), assembly.mesh(), {soup});
         ++tried;

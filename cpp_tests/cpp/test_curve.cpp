@@ -112,12 +112,19 @@ TEST_CASE("curves made of curves") {
     const gusset::CurveOfDegrees kept = curve.with_degrees(1, 2, 1e-9);
     CHECK(kept.curve.controls().size() == 13);
     CHECK(kept.deviations[3] > 1e-3);
-    const gusset::OffsetCurve offset = curve.offset(-0.5, 1e-7, 2);
+    gusset::OffsetOptions quadratic;
+    quadratic.tolerance = 1e-7;
+    quadratic.degree = 2;
+    const gusset::OffsetCurve offset = curve.offset(-0.5, quadratic);
     CHECK(offset.report.deviation <= 1e-7);
     CHECK(offset.report.reached == 1);
     CHECK(offset.curve.is_closed());
     CHECK(std::abs(offset.curve.length() / (3 * pi) - 1) < 1e-3);
-    CHECK(curve.offset(1.5, 1e-3, 3, 100).report.tight == 1);
+    gusset::OffsetOptions cubic;
+    cubic.tolerance = 1e-3;
+    cubic.degree = 3;
+    cubic.max_segments = 100;
+    CHECK(curve.offset(1.5, cubic).report.tight == 1);
 }
 
 TEST_CASE("other forms") {

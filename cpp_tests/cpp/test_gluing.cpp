@@ -87,8 +87,9 @@ TEST_CASE("gluing as the coordinates tell") {
     bare.set_gluing(Sides::sheet);
     const uint32_t link = 2 * (4 * 17 + 3);
     gusset::GlueOptions steps;
-    steps.detect = 1e-9;
-    steps.links = {&link, 1};
+    steps.detect = true;
+    steps.tolerance = 1e-9;
+    steps.links = {link};
     steps.snap = true;
     CHECK(bare.glue(steps) == 1);
     CHECK(bare.at(4, 3) == bare.at(4, 4));

@@ -142,7 +142,7 @@ TEST_CASE("arcs and loops, rows, triangles and quads: both hosts take every face
                 gusset::StitchOptions options;
                 options.cells = cells;
                 options.meridians = rule;
-                options.rows = gusset::StripRows::exactly(rows);
+                options.row_count = rows;
                 for (auto [n, m] : {std::pair{3u, 3u}, {2u, 9u}, {9u, 2u}, {50u, 37u}, {21u, 50u}}) {
                     CAPTURE(n);
                     CAPTURE(m);
@@ -177,7 +177,7 @@ TEST_CASE("arcs of every length from 1 to 50: both hosts take every face") {
             // The upper side of A runs from right to left, the lower side of B from left to right.
             options.arc_a = {place(rim_a, 3 * width - 1 - (width - n) / 2), n};
             options.arc_b = {place(rim_b, (width - m) / 2), m};
-            options.rows = gusset::StripRows::exactly((7 * n + m) % 11);
+            options.row_count = (7 * n + m) % 11;
             options.cells = (n + m) % 2 == 0 ? gusset::StripCells::quads : gusset::StripCells::triangles;
             options.meridians = n % 2 == 0 ? gusset::Meridians::min_area : gusset::Meridians::index;
             const gusset::Stitch stitch = gusset::stitch(a.view(), b.view(), options);
@@ -228,7 +228,7 @@ TEST_CASE("properties of OpenMesh are carried over") {
     }
     const gusset::openmesh::Input<HostMesh> left(a), right(b);
     gusset::StitchOptions options;
-    options.rows = gusset::StripRows::exactly(1);
+    options.row_count = 1;
     const gusset::Stitch stitch = gusset::stitch(left.view(), right.view(), options);
     HostMesh joined;
     CHECK(gusset::openmesh::append(joined, stitch.mesh(), stitch.origins(), {&a, &b}).empty());
@@ -273,7 +273,7 @@ TEST_CASE("property maps of CGAL are carried over") {
     }
     const gusset::cgal::Input<Kernel::Point_3> left(a), right(b);
     gusset::StitchOptions options;
-    options.rows = gusset::StripRows::exactly(1);
+    options.row_count = 1;
     const gusset::Stitch stitch = gusset::stitch(left.view(), right.view(), options);
     CgalMesh joined;
     CHECK(gusset::cgal::append(joined, stitch.mesh(), stitch.origins(), {&a, &b}).empty());
@@ -310,7 +310,7 @@ TEST_CASE("the strip goes into the hosts' own meshes, new vertices too") {
         both.add_face(face);
     }
     gusset::StitchOptions options;
-    options.rows = gusset::StripRows::exactly(2);
+    options.row_count = 2;
     CgalMesh cgal = cgal_mesh(both);
     CHECK(gusset::cgal::append_strip(cgal, gusset::stitch_within(gusset::cgal::Input<Kernel::Point_3>(cgal).view(), options)).empty());
     CHECK(CGAL::is_valid_polygon_mesh(cgal));

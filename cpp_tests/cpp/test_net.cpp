@@ -259,7 +259,7 @@ TEST_CASE("meshes of nets in the rest of the library") {
 
     // gusset::Weld makes of the unglued mesh the mesh that the glued net makes itself.
     NetMeshOptions apart;
-    apart.weld = false;
+    apart.no_weld = true;
     const Net torus = Net::from_primitive(Primitive::torus(2.0, 0.5).with(9, 17));
     const NetMesh loose(torus, apart), whole(torus);
     CHECK(loose.mesh().vertex_count() == 9 * 17);

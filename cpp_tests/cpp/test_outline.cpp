@@ -136,8 +136,9 @@ TEST_CASE("points that sections of a frame lack") {
     const Space lost = points[8];
     points[8] = {NAN, NAN, NAN};
     const std::vector<uint32_t> offsets{0, 6, 12, 18, 24}, missing{8};
-    const gusset::Frame frame(gusset::Outlines(points, true).offsets(offsets),
-                              gusset::Correspondence::given().missing(missing));
+    gusset::FrameOptions options;
+    options.missing = missing;
+    const gusset::Frame frame(gusset::Outlines(points, true).offsets(offsets), options);
     REQUIRE(frame.view().filled.count == 1);
     CHECK(frame.view().filled.data[0] == 8);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -156,10 +157,13 @@ TEST_CASE("the frame of a ball: nodes, curves, new sections and their measures")
         }
         offsets.push_back(static_cast<uint32_t>(points.size()));
     }
-    gusset::OutlineOptions cubic;
-    cubic.curve = gusset::CurveKind::cubic_c2;
-    const gusset::Frame frame(gusset::Outlines(points, true).offsets(offsets),
-                              gusset::Correspondence::angle(16, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}), cubic, cubic);
+    gusset::FrameOptions options;
+    options.correspondence = gusset::CorrespondenceRule::angle;
+    options.columns = 16;
+    options.axis_direction = {0, 0, 1};
+    options.reference = {1, 0, 0};
+    options.across.curve = options.along.curve = gusset::CurveKind::cubic_c2;
+    const gusset::Frame frame(gusset::Outlines(points, true).offsets(offsets), options);
     const gusset_frame_view parts = frame.view();
     REQUIRE(parts.rows == 9);
     REQUIRE(parts.columns == 16);

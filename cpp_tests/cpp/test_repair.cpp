@@ -98,7 +98,9 @@ Soup torus(uint32_t n, uint32_t m) {
 /// Welded and oriented, closed pieces outwards.
 Soup repaired(const Soup &soup, const gusset::WeldOptions &options = {}) {
     const gusset::Weld weld(soup.view(), options);
-    const gusset::Orient orient(weld.mesh(), gusset::Outward::closed);
+    gusset::OrientOptions outwards;
+    outwards.outward = gusset::Outward::closed;
+    const gusset::Orient orient(weld.mesh(), outwards);
     return copy_of(orient.mesh());
 }
 
@@ -245,7 +247,7 @@ TEST_CASE("maps, lists and flags tell what became of the old mesh") {
     soup.add_face({0, 1, 2});
     soup.add_face({4, 5, 6});
     gusset::WeldOptions options;
-    options.remove_unused = true;
+    options.unused = gusset::Unused::remove;
     const gusset::Weld weld(soup.view(), options);
     CHECK(std::vector<uint32_t>(weld.vertex_map().begin(), weld.vertex_map().end()) ==
           std::vector<uint32_t>{0, 1, 2, gusset::Weld::none, 1, 2, 3});
@@ -341,7 +343,7 @@ TEST_CASE("CGAL's own cases of stitching") {
     CHECK(left.left_edges().size() == 2);
     CHECK(gusset::Check(left.mesh()).is_manifold());
     gusset::WeldOptions collapse;
-    collapse.collapse = true;
+    collapse.collapse = gusset::Collapse::allow;
     CHECK(gusset::Weld(degenerate.view(), collapse).dropped_faces() == 1);
     check_shape(repaired(degenerate, collapse), 6, 6, 1, {4});
 
@@ -424,7 +426,7 @@ TEST_CASE("every mesh as a triangle soup: as many vertices as points, as CGAL co
         const Soup pieces = shattered(read_soup(file.path), 5, false);
         gusset::WeldOptions options;
         options.vertices = gusset::WeldVertices::all;
-        options.collapse = true;
+        options.collapse = gusset::Collapse::allow;
         options.tolerance = 0; // CGAL merges equal points only.
         auto [points, faces] = CgalSoup<Kernel::Point_3>(pieces.view());
         PMP::merge_duplicate_points_in_polygon_soup(points, faces);

@@ -251,8 +251,8 @@ TEST_CASE("halves that overlap become one closed surface") {
     REQUIRE(found.is_trusted());
     const std::vector<Soup> pieces = {first, moved(found.pieces()[1].pose, disturbed)};
     gusset::JoinOptions options;
-    options.trim = gusset::TrimOptions();
-    options.fill = gusset::FillOptions();
+    options.overlaps = gusset::Overlaps::trim;
+    options.fill = true;
     const gusset::Join done(views(pieces), options);
     CHECK(done.report().trimmed_faces > 0);
     CHECK(done.report().loops_left == 0);
@@ -310,7 +310,7 @@ TEST_CASE("overlaps stay if nothing is said") {
     const gusset::Join kept_all(views(pieces));
     CHECK(kept_all.report().trimmed_faces == 0);
     gusset::JoinOptions options;
-    options.trim = gusset::TrimOptions();
+    options.overlaps = gusset::Overlaps::trim;
     const gusset::Join trimmed(views(pieces), options);
     CHECK(trimmed.report().trimmed_faces > 0);
     const Verdict verdict = judge(trimmed.mesh());
@@ -343,7 +343,8 @@ TEST_CASE("mistakes are errors") {
     viewpoints.viewpoints = {{0, 0, 9}, {0, NAN, 9}};
     CHECK(status([&] { gusset::Trim(views(pieces), viewpoints); }) == GUSSET_ERROR_NOT_FINITE);
     gusset::JoinOptions assembly;
-    assembly.trim = viewpoints;
+    assembly.overlaps = gusset::Overlaps::trim;
+    assembly.trim_options = viewpoints;
     CHECK(status([&] { gusset::Join(views(pieces), assembly); }) == GUSSET_ERROR_NOT_FINITE);
 }
 

@@ -254,12 +254,12 @@ TEST_CASE("enlarged, turned, and made smaller") {
     for (const Net &net : {plane(), torus()}) {
         for (Replication which : {Replication::uniform, Replication::first, Replication::last, Replication::at,
                                   Replication::at_poles}) {
-            gusset::ReformatOptions options;
+            gusset::NetCopyOptions options;
             options.rows = net.rows() + 4;
             options.columns = net.columns() + 3;
             options.row_replication = options.column_replication = which;
             options.row_index = 2;
-            const Net larger = net.reformatted(options);
+            const Net larger = net.copied(options);
             CHECK(larger.rows() == options.rows);
             CHECK(larger.columns() == options.columns);
             CHECK(gusset::NetComplex(larger).euler() == gusset::NetComplex(net).euler());

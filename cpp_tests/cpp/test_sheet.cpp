@@ -62,7 +62,7 @@ static_assert(!Braced<gusset::CellMask>::value, "neither");
 
 TEST_CASE("nodes in any memory make the same sheet") {
     const std::vector<Point3> nodes = shapes::nodes(9, 12, false, true, shapes::torus);
-    gusset::SheetOptions options;
+    gusset::NodesOptions options;
     options.closed_v = true;
     const std::vector<Point3> expected = sampled(Sheet::from_nodes(10, 13, nodes, options));
     CHECK(largest_gap(expected, sampled(Sheet::borrow(10, 13, nodes, options))) == 0);
@@ -112,7 +112,7 @@ TEST_CASE("tangents, patches and splines") {
             twists.push_back({-du * dv * in * std::sin(b), -du * dv * in * std::cos(b), 0});
         }
     }
-    const gusset::NodesView view(rows + 1, columns + 1, nodes, {true, true});
+    const gusset::NodesView view(rows + 1, columns + 1, nodes, shapes::closed(true, true));
     const auto worst = [](const Sheet &sheet) {
         double most = 0;
         for (const Point3 &p : sampled(sheet)) {
@@ -153,7 +153,9 @@ TEST_CASE("rational splines") {
     const std::vector<double> weights{1, half, 1, 1, half, 1}, line{0, 0, 1, 1}, arc{0, 0, 0, 1, 1, 1};
     const gusset::SplineAxis u{2, 1, line}, v{3, 2, arc};
     for (const double tolerance : {0.0, 1e-9, 1e-5}) {
-        const Sheet sheet = Sheet::from_spline(points, weights, u, v, {tolerance});
+        gusset::SplineOptions options;
+        options.tolerance = tolerance;
+        const Sheet sheet = Sheet::from_spline(points, weights, u, v, options);
         const double deviation = sheet.report().deviation;
         CHECK(deviation > 0);
         CHECK(deviation <= (tolerance == 0 ? 3e-12 : tolerance));
@@ -166,7 +168,10 @@ TEST_CASE("rational splines") {
     }
     CHECK_THROWS_AS(Sheet::from_spline(points, arc, v, u), gusset::Error);
     CHECK_THROWS_AS(Sheet::from_spline(points, line, u, v), std::invalid_argument);
-    CHECK_THROWS_AS(Sheet::from_spline(points, weights, u, v, {1e-9, 1}), gusset::Error);
+    gusset::SplineOptions few;
+    few.tolerance = 1e-9;
+    few.max_cells = 1;
+    CHECK_THROWS_AS(Sheet::from_spline(points, weights, u, v, few), gusset::Error);
 }
 
 TEST_CASE("curves and frames") {
@@ -180,21 +185,16 @@ TEST_CASE("curves and frames") {
     rows.push_back(straight({1, 0, 0}, {1, 1, 1}));
     columns.push_back(straight({0, 0, 0}, {1, 0, 0}));
     columns.push_back(straight({0, 1, 0}, {1, 1, 1}));
-    gusset::CurveNet net;
-    net.rows = rows;
-    net.columns = columns;
-    for (const Point3 &p : sampled(Sheet::from_curves(net), 0.1)) {
+    for (const Point3 &p : sampled(Sheet::from_curves(rows, columns), 0.1)) {
         CHECK(std::abs(p[2] - p[0] * p[1]) < 1e-14);
     }
-    net.columns = {};
-    for (const Point3 &p : sampled(Sheet::from_curves(net), 0.1)) {
+    for (const Point3 &p : sampled(Sheet::from_curves(rows, {}), 0.1)) {
         CHECK(std::abs(p[2] - p[0] * p[1]) < 1e-14); // The skin of two rulings.
     }
     // Curves that do not meet.
     columns[1] = straight({0, 1, 0.5}, {1, 1, 1});
-    net.columns = columns;
     try {
-        Sheet::from_curves(net);
+        Sheet::from_curves(rows, columns);
         FAIL("accepted");
     } catch (const gusset::Error &error) {
         CHECK(error.status() == GUSSET_ERROR_CURVES_APART);
@@ -307,7 +307,7 @@ TEST_CASE("estimates, and the paper's search") {
     CHECK(worst > 0.1 * estimated);
     CHECK(*std::max_element(estimates.bilinear.begin(), estimates.bilinear.end()) < 0.02);
     CHECK(sheet.crease() < 1e-6);
-    CHECK(Sheet::from_nodes(25, 41, shapes::nodes(24, 40, true, true, shapes::torus), {true, true, gusset::Scheme::four_point}).crease() > 1e-4);
+    CHECK(Sheet::from_nodes(25, 41, shapes::nodes(24, 40, true, true, shapes::torus), shapes::closed(true, true, gusset::Scheme::four_point)).crease() > 1e-4);
 
     // The smaller radius is 0.4: principal curvatures are at most 2.5.
     const double curvature = sheet.curvature_bound();
@@ -420,7 +420,7 @@ TEST_CASE("bad sheets say what is bad") {
         CHECK(error.status() == GUSSET_ERROR_NET_TOO_SMALL);
     }
     const std::vector<Point3> open = shapes::nodes(5, 6, false, false, shapes::wave);
-    CHECK_THROWS_AS(Sheet::from_nodes(6, 7, open, {true, false}), gusset::Error);
+    CHECK_THROWS_AS(Sheet::from_nodes(6, 7, open, shapes::closed(true, false)), gusset::Error);
     // Degrees beyond 1 to 7, and those for which the number of control points wraps to 0.
     const Point3 origin{};
     for (const std::array<uint32_t, 2> degrees : {std::array<uint32_t, 2>{0, 1}, {1, 8}, {8, 8}, {0xffffffffu, 1}, {0xffffffffu, 0xffffffffu}}) {

@@ -199,7 +199,9 @@ TEST_CASE("several sheets, places, facts") {
     std::vector<Sheet> sheets;
     sheets.push_back(shapes::torus_sheet());
     sheets.push_back(shapes::sphere_sheet());
-    const Surface both(sheets, 1e-10);
+    gusset::SurfaceOptions close;
+    close.tolerance = 1e-10;
+    const Surface both(sheets, close);
     const gusset_surface_report facts = both.report();
     CHECK(facts.sheet_count == 2);
     CHECK(facts.cell_count == 2 * 24 * 40);
@@ -209,7 +211,8 @@ TEST_CASE("several sheets, places, facts") {
     CHECK(facts.cone_bytes == 0);
     CHECK(both.sheets().size() == 2);
     CHECK(both.sheets()[1].first_cell == 24 * 40);
-    const Surface with_cones(sheets, 1e-10, gusset::Context(), gusset::NormalCones::eager);
+    close.cones = true;
+    const Surface with_cones(sheets, close);
     CHECK(with_cones.report().index_bytes == facts.index_bytes);
     CHECK(with_cones.report().cone_bytes > 0);
     CHECK(with_cones.silhouette({0, 0, 1}).size() == both.silhouette({0, 0, 1}).size());
@@ -264,11 +267,14 @@ TEST_CASE("errors say which") {
     const std::vector<gusset::SurfacePlace> places{gusset::surface_place(0, 1, 1), gusset::surface_place(0, 24, 0)};
     CHECK(status_of([&] { torus.evaluate(places); }) == std::make_pair(int32_t(GUSSET_ERROR_NO_SUCH_ELEMENT), uint64_t(1)));
     CHECK(status_of([&] { Surface(gusset::Span<const Sheet>()); }).first == GUSSET_ERROR_EMPTY_MESH);
-    CHECK(status_of([&] { Surface(shapes::torus_sheet(), -1); }).first == GUSSET_ERROR_OUT_OF_RANGE);
+    gusset::SurfaceOptions negative;
+    negative.tolerance = -1;
+    CHECK(status_of([&] { Surface(shapes::torus_sheet(), negative); }).first == GUSSET_ERROR_OUT_OF_RANGE);
     gusset::IntersectionOptions options;
-    options.spacing = gusset::PointSpacing::chord(-1);
+    options.chord = -1;
     CHECK(status_of([&] { torus.intersect(torus, options); }).first == GUSSET_ERROR_OUT_OF_RANGE);
-    options.spacing = gusset::PointSpacing::leus(3);
+    options.chord.reset();
+    options.spacing = gusset::SpacingRule::leus;
     CHECK(status_of([&] { torus.self_intersect(options); }).first == GUSSET_ERROR_UNKNOWN_VALUE);
 }
 
@@ -277,7 +283,7 @@ TEST_CASE("any number of threads gives the same bits, in many threads at once") 
     const std::vector<Point3> queries = shapes::random_points(3000, 1.6, 77);
     gusset::Context one;
     one.set_threads(1);
-    const Surface surface(sheet, 0, one);
+    const Surface surface(sheet, {}, one);
     const std::vector<gusset::NearestPoint> expected = surface.nearest(queries, {}, one);
     const gusset::SurfacePaths paths = surface.section({0.1, 0, 0}, {1, 2, 3}, {}, one);
     std::vector<int> equal(4, 0);
@@ -306,7 +312,7 @@ TEST_CASE("callbacks may throw, and cancel") {
     gusset::Context context;
     context.set_progress([](double, const char *) -> bool { throw Stopped(); });
     CHECK_THROWS_AS(torus.nearest(queries, {}, context), Stopped);
-    CHECK_THROWS_AS(Surface(shapes::torus_sheet(), 0, context), Stopped);
+    CHECK_THROWS_AS(Surface(shapes::torus_sheet(), {}, context), Stopped);
     CHECK_THROWS_AS(torus.silhouette({1, 2, 3}, {}, context), Stopped);
     context.set_progress([](double, const char *) { return false; });
     try {

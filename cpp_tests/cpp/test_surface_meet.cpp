@@ -108,12 +108,14 @@ TEST_CASE("which hits, and what they are") {
 }
 
 TEST_CASE("sections have the components and lengths of a fine mesh's") {
+    gusset::ContourOptions chords;
+    chords.chord = 1e-5;
     for (int shape = 0; shape < 3; ++shape) {
         const Fine fine(shape == 0 ? shapes::torus_sheet() : shape == 1 ? shapes::sphere_sheet() : shapes::wavy_sheet(), 1e-4);
         const std::vector<Point3> normals = shapes::random_points(24, 1, 101 + unsigned(shape));
         for (std::size_t k = 0; k < normals.size(); ++k) {
             const Point3 at{0.04 * double(k) - 0.5, 0.03, 0.02};
-            const gusset::SurfacePaths paths = fine.surface.section(at, normals[k], gusset::PointSpacing::chord(1e-5));
+            const gusset::SurfacePaths paths = fine.surface.section(at, normals[k], chords);
             const std::vector<Slice> slices = fine.oracle.slices(at, normals[k]);
             CHECK(paths.unresolved().empty());
             REQUIRE(paths.size() == slices.size());
@@ -153,9 +155,12 @@ TEST_CASE("stacks of planes, contours, angles") {
     }
     CHECK_THROWS_AS(stack[6], std::out_of_range);
     CHECK(stack.points().size() > 100);
-    const gusset::SurfacePaths few = torus.section({0, 0, 0.1}, {0, 0, 1}, gusset::PointSpacing::cell_edges());
+    gusset::ContourOptions edges, leus;
+    edges.spacing = gusset::SpacingRule::cell_edges;
+    leus.points = 3;
+    const gusset::SurfacePaths few = torus.section({0, 0, 0.1}, {0, 0, 1}, edges);
     CHECK(few.points().size() == 80);
-    const gusset::SurfacePaths cubics = torus.section({0, 0, 0.1}, {0, 0, 1}, gusset::PointSpacing::leus(3));
+    const gusset::SurfacePaths cubics = torus.section({0, 0, 0.1}, {0, 0, 1}, leus);
     CHECK(cubics.points().size() == 320);
 
     // The height as a field is the section.
@@ -235,7 +240,7 @@ TEST_CASE("surfaces meet in the curves of formulas") {
     }
     CHECK(cut[0].others.empty());
     gusset::IntersectionOptions coarse;
-    coarse.spacing = gusset::PointSpacing::cell_edges();
+    coarse.spacing = gusset::SpacingRule::cell_edges;
     const gusset::SurfacePaths rough = torus.intersect(plane, coarse);
     CHECK(rough.points().size() < met.points().size());
     const gusset::SurfaceCells pairs = torus.cell_pairs(plane);

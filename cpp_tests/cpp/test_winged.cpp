@@ -47,10 +47,12 @@ std::vector<uint32_t> from_smallest(std::vector<uint32_t> list) {
 }
 
 void check_tables(const Soup &soup, gusset::Winding winding) {
-    const gusset::Winged winged(soup.view(), winding);
+    gusset::WingedOptions options;
+    options.winding = winding;
+    const gusset::Winged winged(soup.view(), options);
     // And back, corner for corner.
     const gusset_mesh_view mesh = soup.view().get();
-    const gusset::WingedFaces faces(winged.edges(), mesh.vertex_count, winged.edge_of_face(), winding);
+    const gusset::WingedFaces faces(winged.edges(), mesh.vertex_count, winged.edge_of_face(), options);
     REQUIRE(faces.offsets().size() == mesh.face_count + 1);
     for (std::size_t f = 0; mesh.face_size == 0 && f <= mesh.face_count; ++f) {
         REQUIRE(faces.offsets()[f] == static_cast<const uint32_t *>(mesh.face_offsets)[f]);
@@ -147,7 +149,7 @@ TEST_CASE("Euler's formula before and after a stitch") {
     const Soup a = read_soup(*folder + "/pairs/bunny_cut/head.off"), b = read_soup(*folder + "/pairs/bunny_cut/body.off");
     for (uint32_t rows : {0u, 3u}) {
         gusset::StitchOptions options;
-        options.rows = gusset::StripRows::exactly(rows);
+        options.row_count = rows;
         const gusset::Stitch stitch = gusset::stitch(a.view(), b.view(), options);
         const Soup joined = copy_of(stitch.mesh());
         check_tables(joined, gusset::Winding::counter_clockwise);

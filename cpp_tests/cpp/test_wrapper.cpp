@@ -225,9 +225,9 @@ TEST_CASE("the steps by themselves") {
     using Points = std::vector<std::array<double, 3>>;
     const Points a{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, b{{4, 0, 0}, {5, 0, 0}, {5, 1, 0}, {4, 1, 0}};
     const gusset::Facing facing(a, b);
-    CHECK(facing.arc(0).first == 1);
-    CHECK(facing.arc(0).count == 2);
-    CHECK(facing.arc(1).first == 3);
+    CHECK(facing.arc(0)[0] == 1);
+    CHECK(facing.arc(0)[1] == 2);
+    CHECK(facing.arc(1)[0] == 3);
     CHECK(facing.view().centre[1][0] == 4.5);
     CHECK(facing.view().distances[0][0] == -0.5);
     CHECK_THROWS_AS(gusset::Facing(a, Points{}), gusset::Error);
@@ -237,7 +237,7 @@ TEST_CASE("the steps by themselves") {
 
 TEST_CASE("strips that belong to no mesh, and arcs that are given") {
     const std::vector<gusset::Point3> a = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, b = {{0, 1, 0}, {2, 1, 0}};
-    const gusset::Strip strip(a, b, false);
+    const gusset::Strip strip(a, b);
     // From (0, 0) to (2, 1) one place at a time: three triangles.
     CHECK(strip.start() == std::array<uint32_t, 2>{0, 0});
     REQUIRE(strip.meridians().size() == 8);
@@ -254,10 +254,10 @@ TEST_CASE("strips that belong to no mesh, and arcs that are given") {
     }
     CHECK(area == doctest::Approx(2.0));
     gusset::StripOptions quads;
-    quads.rows = gusset::StripRows::exactly(2);
+    quads.row_count = 2;
     quads.cells = gusset::StripCells::quads;
     quads.meridians = gusset::Meridians::index;
-    const gusset::Strip rows(a, a, false, quads);
+    const gusset::Strip rows(a, a, quads);
     CHECK(rows.mesh().face_count() == 6);
     CHECK(rows.matrix().size() == 4 * 3);
     CHECK(rows.parents().size() == 2 * 6);
@@ -271,8 +271,8 @@ TEST_CASE("strips that belong to no mesh, and arcs that are given") {
     gusset::StitchOptions options;
     options.extent = gusset::StitchExtent::arcs;
     const std::vector<uint32_t> loop = {0, 1, 2, 3};
-    options.arc_a = gusset::LoopArc{1, 2};
-    options.arc_b = gusset::LoopArc{3, 2};
+    options.arc_a = {1, 2};
+    options.arc_b = {3, 2};
     const gusset::Stitch stitch = gusset::stitch(left.view(), loop, right.view(), loop, options);
     CHECK(stitch.quality().area == doctest::Approx(2.0));
     CHECK(!stitch.is_closed_band());
@@ -309,9 +309,16 @@ TEST_CASE("closed results face outwards if that is wanted") {
         CHECK(second(assembly.mesh()) == expected);
         CHECK(assembly.report().turned.count == (outwards ? 8 : 0));
     }
-    CHECK(gusset::FillOptions().outward == gusset::Outward::keep);
-    CHECK(gusset::StitchOptions().outward == gusset::Outward::keep);
-    CHECK(gusset::JoinOptions().outward == gusset::Outward::closed);
+    // By default filling and stitching keep orientations, and joining turns outwards.
+    const gusset::Fill kept(up.view());
+    CHECK(second(kept.mesh()) == 2);
+    const gusset::Stitch joined = gusset::stitch(up.view(), down.view());
+    CHECK(second(joined.mesh()) == 2);
+    gusset::JoinOptions wide;
+    wide.max_gap = 3.0;
+    const std::vector<gusset::MeshView> both{up.view(), down.view()};
+    const gusset::Join turned(both, wide);
+    CHECK(second(turned.mesh()) == 1);
 }
 
 TEST_CASE("views of any point type") {

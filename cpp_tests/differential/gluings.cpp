@@ -252,14 +252,14 @@ void check_moves(Case &test, const Net &net) {
     check_moved(test, net.flipped(gusset::Direction::right), net, [&](std::size_t i, std::size_t j) { return std::pair(i, w - 1 - j); }, "a flipped net is another");
     check_moved(test, net.flipped(gusset::Direction::down), net, [&](std::size_t i, std::size_t j) { return std::pair(h - 1 - i, j); }, "a flipped net is another");
     test.check(identical(net.turned(1).turned(-1), net) && identical(net.turned(2).turned(2), net), "a net that was turned and turned back is another");
-    gusset::ReformatOptions larger;
+    gusset::NetCopyOptions larger;
     larger.rows = h + test.random.below(5);
     larger.columns = w + test.random.below(5);
     larger.row_replication = static_cast<gusset::Replication>(test.random.below(5));
     larger.column_replication = static_cast<gusset::Replication>(test.random.below(5));
     larger.row_index = larger.row_replication == gusset::Replication::at ? test.random.below(h) : 0;
     larger.column_index = larger.column_replication == gusset::Replication::at ? test.random.below(w) : 0;
-    const Net reformatted = net.reformatted(larger);
+    const Net reformatted = net.copied(larger);
     test.check(reformatted.rows() == larger.rows && reformatted.columns() == larger.columns, "a larger net has another size");
     test.check(surface_of(reformatted) == surface_of(net), "a larger net is another surface");
     test.check(surface_of(reformatted.compacted()) == surface_of(net), "a compacted net is another surface");

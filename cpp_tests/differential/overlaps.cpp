@@ -159,9 +159,9 @@ void overlaps(Case &test) {
         views.push_back(piece.view());
     }
     gusset::JoinOptions options;
-    options.trim.emplace();
-    options.fill.emplace();
-    options.fill->keep = truth.is_closed ? gusset::FillKeep::none : gusset::FillKeep::borders;
+    options.overlaps = gusset::Overlaps::trim;
+    options.fill = true;
+    options.fill_options.keep = truth.is_closed ? gusset::FillKeep::none : gusset::FillKeep::borders;
     const gusset::Join done(views, options);
     test.note(truth.name);
     const Verdict verdict = judge(done.mesh());

@@ -94,7 +94,9 @@ void welded(Case &test) {
         options.tolerance = 1e-6;
     }
     const gusset::Weld weld(pieces.view(), options);
-    const gusset::Orient orient(weld.mesh(), gusset::Outward::closed);
+    gusset::OrientOptions outwards;
+    outwards.outward = gusset::Outward::closed;
+    const gusset::Orient orient(weld.mesh(), outwards);
     test.check(weld.left_edges().empty() && weld.dropped_faces() == 0, "an edge is left, or a face is lost");
     test.equal(orient.mesh().face_count(), whole.face_count(), "faces that were welded");
     const Verdict after = judge(orient.mesh(), false);

@@ -67,7 +67,11 @@ gusset::StitchOptions random_stitch_options(Random &random) {
     options.meridians = static_cast<gusset::Meridians>(random.below(8));
     options.twist = random.one_in(4) ? static_cast<int64_t>(random.below(7)) - 3 : 0;
     const uint32_t rows = random.below(6);
-    options.rows = rows == 0 ? gusset::StripRows::none() : rows == 1 ? gusset::StripRows::mean_edge() : gusset::StripRows::exactly(rows - 2);
+    if (rows > 1) {
+        options.row_count = rows - 2;
+    } else {
+        options.rows = rows == 0 ? gusset::RowRule::none : gusset::RowRule::mean_edge;
+    }
     options.search = random.one_in(4) ? gusset::StripSearch::exact : gusset::StripSearch::automatic;
     options.start = random.one_in(2) ? gusset::StripStart::closest : gusset::StripStart::automatic;
     options.fairing = random.one_in(3) ? gusset::Fairing::thin_plate : gusset::Fairing::none;

@@ -63,7 +63,7 @@ Tested random_surface(Random &random) {
     const auto kind = static_cast<Kind>(random.below(3));
     const std::size_t rows = random.between(5, 16), columns = random.between(6, 20);
     const Waves waves(random, random.one_in(3) ? 0.0 : random.real(0.05, 0.5));
-    gusset::SheetOptions options;
+    gusset::NodesOptions options;
     options.scheme = random.one_in(3) ? gusset::Scheme::four_point : gusset::Scheme::six_tap;
     options.closed_u = kind == Kind::torus;
     options.closed_v = kind != Kind::wave;
@@ -242,7 +242,9 @@ void sections(Case &test, const Tested &tested) {
     for (int k = 0; k < 3; ++k) {
         const Point at = random_point(test.random, 0.7), normal = unit(random_point(test.random, 1));
         const double chord = 1e-4;
-        const gusset::SurfacePaths paths = tested.surface.section(at, normal, gusset::PointSpacing::chord(chord));
+        gusset::ContourOptions options;
+        options.chord = chord;
+        const gusset::SurfacePaths paths = tested.surface.section(at, normal, options);
         std::vector<Slice> own;
         std::vector<Point> middles;
         for (const gusset::SurfacePath &path : paths) {

@@ -216,15 +216,16 @@ void assembled(Case &test) {
         }
     }
     gusset::JoinOptions options;
-    options.strips = random_stitch_options(random);
-    options.strips.twist = 0;
-    options.strips.cells = random.one_in(2) ? gusset::StripCells::quads : gusset::StripCells::triangles;
-    options.edge_to_edge = random.one_in(3);
+    options.strip_options = random_stitch_options(random);
+    options.strip_options.twist = 0;
+    options.strip_options.cells = random.one_in(2) ? gusset::StripCells::quads : gusset::StripCells::triangles;
+    options.weld = random.one_in(3) ? gusset::Welding::edge_to_edge : gusset::Welding::sew;
     options.whole_loops_only = random.one_in(3);
     options.within_components = random.one_in(3);
     options.outward = random.one_in(3) ? gusset::Outward::keep : gusset::Outward::closed;
     if (random.one_in(2)) {
-        options.fill = random_fill_options(random);
+        options.fill = true;
+        options.fill_options = random_fill_options(random);
     }
     std::vector<gusset::MeshView> views;
     bool manifold = true;

@@ -101,7 +101,7 @@ TEST_CASE("stitched as the library stitches: two inputs, and one") {
         gusset::StitchOptions options;
         options.finish = blend ? gusset::Finish::blend : gusset::Finish::strip;
         if (!blend) {
-            options.rows = gusset::StripRows::exactly(2);
+            options.row_count = 2;
             options.fairing = gusset::Fairing::thin_plate;
         }
         const Soup first(a), second(b);
@@ -132,8 +132,8 @@ TEST_CASE("assembled as the library assembles: connections, and all of one") {
         parts->SetPartition(static_cast<unsigned>(i), tubes.back());
     }
     gusset::JoinOptions options;
-    options.strips.finish = gusset::Finish::blend;
-    options.fill.emplace();
+    options.strip_options.finish = gusset::Finish::blend;
+    options.fill = true;
     const std::vector<Soup> soups{Soup(tubes[0]), Soup(tubes[1]), Soup(tubes[2])};
     const std::vector<gusset::MeshView> views{soups[0].view(), soups[1].view(), soups[2].view()};
     const gusset::Join assembly(views, options);

@@ -104,7 +104,8 @@ inline Lines ask(const gusset::Surface &port, const std::vector<Station> &statio
     const double length = high[0] - low[0], height = high[2] - low[2];
     std::vector<double> heights = between(low[2], high[2], request.waterlines), halves = between(0, high[1], request.buttocks),
                         places = between(low[0], high[0], request.stations - 1);
-    const auto chord = gusset::PointSpacing::chord(5e-5 * length);
+    gusset::ContourOptions chord;
+    chord.chord = 5e-5 * length;
     std::vector<Point3> outside;
     for (double t : {0.06, 0.28, 0.52, 0.75, 0.93}) {
         outside.push_back({low[0] + t * length, 1.25 * high[1], low[2] + (0.15 + 0.65 * std::fmod(3.7 * t, 1.0)) * height});

@@ -151,7 +151,8 @@ inline void style(std::ostream &svg) {
 inline void draw(std::ostream &svg, const View &view, const Hull &hull, const std::vector<gusset::Surface> &solid, const Lines &lines,
                  double draught) {
     const double length = lines.high[0] - lines.low[0], reach = 2e-4 * length, levels[] = {draught};
-    const auto chord = gusset::PointSpacing::chord(1e-4 * length);
+    gusset::ContourOptions chord;
+    chord.chord = 1e-4 * length;
     std::vector<Face> faces;
     for (const auto *pieces : {&hull.port, &hull.starboard, &hull.transom, &hull.decks}) {
         for (const gusset::Sheet &sheet : *pieces) {

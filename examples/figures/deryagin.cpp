@@ -134,13 +134,13 @@ std::string forming(const std::string &file) {
 /// Fig. 7: rows and columns of a net are repeated, and their links contracted: the surface stays.
 std::string reformatting(const std::string &file) {
     const gusset::Net net = gusset::Net::from_primitive(gusset::Primitive::plane(4, 3).with(4, 5));
-    gusset::ReformatOptions options;
+    gusset::NetCopyOptions options;
     options.rows = 5;
     options.columns = 7;
     options.row_replication = options.column_replication = gusset::Replication::at;
     options.row_index = 1;
     options.column_index = 3;
-    const gusset::Net large = net.reformatted(options);
+    const gusset::Net large = net.copied(options);
     Figure figure(960, 400);
     // By their numbers, since repeated nodes are one point in space; each carries the pair of the node that it repeats.
     const Grid before(net.rows(), net.columns(), {200, 175}, 70), after(large.rows(), large.columns(), {680, 175}, 70);

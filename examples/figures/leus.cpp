@@ -107,9 +107,11 @@ std::string sections(const std::string &file) {
     const Sheet sheet = Sheet::from_nodes(4, 4, nodes);
     const Surface surface(sheet);
     const Point3 on{0, 0.06, 0}, along{1, 0.12, 0}, normal{-0.12, 1, 0};
-    const auto section = surface.section(on, normal),
-               crossings = surface.section(on, normal, gusset::PointSpacing::cell_edges()),
-               cubic = surface.section(on, normal, gusset::PointSpacing::leus(9));
+    gusset::ContourOptions edges, nine;
+    edges.spacing = gusset::SpacingRule::cell_edges;
+    nine.points = 9;
+    const auto section = surface.section(on, normal), crossings = surface.section(on, normal, edges),
+               cubic = surface.section(on, normal, nine);
     const gusset::Points four = crossings[0].points;
     // A and B are where the plane enters and leaves the cell in the middle.
     const Point3 a = four[1], b = four[2];

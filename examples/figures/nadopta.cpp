@@ -45,7 +45,12 @@ std::string one_point(const std::string &file) {
     styles.push_back({{"alpha", "A", SectionMethod::alpha, ochre}, 0.25});
     for (std::size_t k = 0; k < styles.size(); ++k) {
         const auto &[style, alpha] = styles[k];
-        const gusset::Sections sections(gusset::Outlines(points, false), style.method, alpha);
+        gusset::OutlineOptions options;
+        options.method = style.method;
+        if (style.method == SectionMethod::alpha) {
+            options.alpha = alpha;
+        }
+        const gusset::Sections sections(gusset::Outlines(points, false), options);
         const Point3 control = sections.controls()[1];
         const double t = sections.parameters()[1];
         const std::vector<Plane> quadratic{points[0], {control[0], control[1]}, points[2]};
@@ -95,7 +100,9 @@ std::string chords(const std::string &file) {
     figure.line({of(left, points[1]), of(left, points[3])}, {ink, 1.4, ""});
     for (std::size_t m = 0; m < methods.size(); ++m) {
         const Method &method = methods[m];
-        const gusset::Sections sections(gusset::Outlines(points, false), method.method);
+        gusset::OutlineOptions options;
+        options.method = method.method;
+        const gusset::Sections sections(gusset::Outlines(points, false), options);
         text += (text.empty() ? "feet " : ", ") + std::string(method.name);
         for (const std::size_t k : {std::size_t{1}, std::size_t{2}}) {
             const Point3 control = sections.controls()[k];

@@ -157,9 +157,9 @@ std::string facing(const std::string &file) {
         figure.dot(centre[k], 4, red, red);
         figure.label({centre[k][0] + (k == 0 ? -20 : 20), centre[k][1] + 20}, k == 0 ? "C_1" : "C_2", "middle", 16,
                      red);
-        const gusset::LoopArc arc = found.arc(static_cast<int>(k));
+        const std::array<uint32_t, 2> arc = found.arc(static_cast<int>(k));
         text += (k == 0 ? "" : "; ") + std::to_string(white) + " of " + std::to_string(outline.size()) +
-                " face, an arc of " + std::to_string(arc.count) + " from " + std::to_string(arc.first);
+                " face, an arc of " + std::to_string(arc[1]) + " from " + std::to_string(arc[0]);
     }
     const Spot middle = between(centre[0], centre[1], 0.5);
     figure.label({middle[0] - 45, middle[1] - 12}, "a_1");
@@ -201,7 +201,7 @@ std::string meridians(const std::string &file) {
     gusset::StripOptions options;
     options.meridians = gusset::Meridians::index;
     options.cells = gusset::StripCells::quads;
-    const gusset::Strip strip(a, b, false, options);
+    const gusset::Strip strip(a, b, options);
     const std::vector<uint32_t> to = gusset::meridians_index(n - 1, m - 1);
 
     Figure figure(960, 380, {0.25, -1, 0.45}, 95);
@@ -276,8 +276,8 @@ std::string matrix_p(const std::string &file) {
     gusset::StripOptions options;
     options.meridians = gusset::Meridians::index;
     options.cells = gusset::StripCells::quads;
-    options.rows = gusset::StripRows::exactly(2);
-    const gusset::Strip strip(a, b, false, options);
+    options.row_count = 2;
+    const gusset::Strip strip(a, b, options);
     const gusset::Indices p = strip.matrix();
     const std::size_t rows = strip.row_count() + 2, columns = p.size() / rows;
     const gusset::MeshView mesh = strip.mesh();

@@ -93,8 +93,8 @@ static void many_pieces(const Mesh &left, const Mesh &right) {
     const std::vector<gusset::MeshView> pieces = {gusset::MeshView::triangles(left.points, left.corners),
                                                   gusset::MeshView::triangles(right.points, right.corners)};
     gusset::JoinOptions options;
-    options.max_gap = 2.0;               // in the unit of the points
-    options.fill = gusset::FillOptions(); // fill the remaining holes
+    options.max_gap = 2.0; // in the unit of the points
+    options.fill = true;   // fill the remaining holes
     const gusset::Join whole(pieces, options);
     for (const gusset_joint &joint : whole.joints()) {
         std::cout << "a gap of " << joint.gap << (joint.outcome == GUSSET_JOINT_JOINED ? ", joined\n" : ", left\n");
@@ -134,7 +134,7 @@ static void surfaces() {
             nodes.push_back({radius * std::cos(angle), radius * std::sin(angle), 0.25 * row});
         }
     }
-    gusset::SheetOptions options;
+    gusset::NodesOptions options;
     options.closed_v = true;
     const gusset::Surface vase(gusset::Sheet::from_nodes(13, 25, nodes, options));
     const gusset::NearestPoint nearest = vase.nearest({3, 0, 1.5});

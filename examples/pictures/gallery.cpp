@@ -109,8 +109,8 @@ bool scanned(const std::string &file) {
     }
     const std::vector<gusset::MeshView> views = side_by_side(480, "aligned");
     gusset::JoinOptions options;
-    options.trim.emplace();
-    options.fill.emplace();
+    options.overlaps = gusset::Overlaps::trim;
+    options.fill = true;
     const gusset::Join whole(views, options);
     std::vector<Colour> colour(whole.mesh().face_count(), red);
     for (std::size_t k = 0; k < pieces.size(); ++k) {

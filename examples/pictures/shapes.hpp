@@ -93,9 +93,9 @@ inline std::vector<Mesh> quarters() {
 inline gusset::JoinOptions assembly_of_quarters() {
     gusset::JoinOptions options;
     options.max_gap = 0.3;
-    options.strips.rows = gusset::StripRows::mean_edge();
-    options.fill = gusset::FillOptions();
-    options.fill->keep = gusset::FillKeep::longest; // the rim of the whole is no hole
+    options.strip_options.rows = gusset::RowRule::mean_edge;
+    options.fill = true;
+    options.fill_options.keep = gusset::FillKeep::longest; // the rim of the whole is no hole
     return options;
 }
 
@@ -126,7 +126,7 @@ inline gusset::Sheet tube() {
             nodes.push_back({radius * std::cos(angle), radius * std::sin(angle) + 0.2 * std::sin(0.35 * i), 0.18 * i - 1.15});
         }
     }
-    gusset::SheetOptions round;
+    gusset::NodesOptions round;
     round.closed_v = true;
     return gusset::Sheet::from_nodes(15, 25, nodes, round);
 }

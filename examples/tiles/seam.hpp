@@ -20,7 +20,7 @@ struct Row {
 /// Adds the strip between two rows side by side; its two ends are its own edges, too.
 inline void add_strip(Seams &seams, const Row &a, const Row &b, const gusset::Context &context) {
     //! [strip]
-    const gusset::Strip strip(a.points, b.points, false, {}, context);
+    const gusset::Strip strip(a.points, b.points, {}, context);
     const gusset::MeshView mesh = strip.mesh();
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
         std::array<uint64_t, 3> face{};

@@ -128,12 +128,13 @@ inline void clean(const Plan &plan, uint32_t tile, Soup &&soup, const gusset::Co
     gusset::WeldOptions options;
     options.vertices = gusset::WeldVertices::all;
     options.tolerance = 0.0;
-    options.collapse = options.remove_unused = true;
+    options.collapse = gusset::Collapse::allow;
+    options.unused = gusset::Unused::remove;
     auto weld = std::make_unique<gusset::Weld>(gusset::MeshView::triangles(soup, corners), options, context);
     Soup().swap(soup); // the largest of all that a tile needs
     std::vector<uint32_t>().swap(corners);
     watch.lap(Stage::weld);
-    const gusset::Orient orient(weld->mesh(), gusset::Outward::keep, context);
+    const gusset::Orient orient(weld->mesh(), {}, context);
     cleaned.dropped += weld->dropped_faces();
     cleaned.turned += orient.turned_faces();
     weld.reset();

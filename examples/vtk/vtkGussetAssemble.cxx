@@ -21,17 +21,17 @@ int vtkGussetAssemble::RequestData(vtkInformation *, vtkInformationVector **inpu
     vtkPolyData *output = vtkPolyData::GetData(outputs, 0);
     gusset::JoinOptions options;
     if (!this->Weld) {
-        options.weld.reset();
+        options.weld = gusset::Welding::none;
     }
     if (!this->AutomaticMaxGap) {
         options.max_gap = this->MaxGap;
     }
     options.within_components = this->WithinComponents != 0;
-    options.strips.finish = static_cast<gusset::Finish>(this->Finish);
+    options.strip_options.finish = static_cast<gusset::Finish>(this->Finish);
     if (this->FillHoles) {
-        options.fill.emplace();
-        options.fill->refine = this->Refine ? gusset::FillRefinement::rim_density : gusset::FillRefinement::none;
-        options.fill->fairing = this->Refine && this->Fair ? gusset::Fairing::thin_plate : gusset::Fairing::none;
+        options.fill = true;
+        options.fill_options.refine = this->Refine ? gusset::FillRefinement::rim_density : gusset::FillRefinement::none;
+        options.fill_options.fairing = this->Refine && this->Fair ? gusset::Fairing::thin_plate : gusset::Fairing::none;
     }
     gusset_vtk::Run run(this, this->NumberOfThreads);
     return gusset_vtk::guarded(run, output, [&] {

@@ -37,7 +37,11 @@ int vtkGussetStitch::RequestData(vtkInformation *, vtkInformationVector **inputs
     options.finish = static_cast<gusset::Finish>(this->Finish);
     // A blend reads neither rows nor fairing.
     if (this->Finish == FINISH_STRIP && this->Rows != 0) {
-        options.rows = this->Rows < 0 ? gusset::StripRows::mean_edge() : gusset::StripRows::exactly(static_cast<uint32_t>(this->Rows));
+        if (this->Rows < 0) {
+            options.rows = gusset::RowRule::mean_edge;
+        } else {
+            options.row_count = static_cast<uint32_t>(this->Rows);
+        }
         options.fairing = this->Fair ? gusset::Fairing::thin_plate : gusset::Fairing::none;
     }
     options.outward = this->OrientOutwards ? gusset::Outward::closed : gusset::Outward::keep;

@@ -93,7 +93,10 @@ struct Last {
 Last make(const Sections &foot, const std::vector<double> &room, double tolerance) {
     //! [path]
     const gusset::Outlines outlines = gusset::Outlines(foot.points, true).offsets(foot.offsets);
-    gusset::Frame frame(outlines, gusset::Correspondence::arc_length(48));
+    gusset::FrameOptions by_length;
+    by_length.correspondence = gusset::CorrespondenceRule::arc_length;
+    by_length.columns = 48;
+    gusset::Frame frame(outlines, by_length);
     gusset::Frame roomy = frame.offset(room, gusset::OffsetDirection::in_section);
     gusset::Sheet sheet = gusset::Sheet::from_frame(roomy, gusset::FrameSurface::curves);
     gusset::SheetMeshOptions fine;
@@ -151,7 +154,7 @@ std::vector<uint32_t> heel_line(const gusset::SheetMesh &mesh) {
 gusset::Development lay_out(const Last &last, uint32_t darts, const std::string &file, Claims &claims) {
     const gusset::SheetMesh side(last.sheet); // a quad for each cell is fine enough for a pattern
     gusset::DevelopOptions options;
-    options.cuts.push_back(heel_line(side));
+    options.cuts = heel_line(side);
     const gusset::Development plain(side.mesh(), options);
     options.max_darts = darts;
     gusset::Development flat(side.mesh(), options);

@@ -243,7 +243,7 @@ int main(int argc, char **argv) try {
         views.push_back(mesh.mesh());
     }
     gusset::JoinOptions options;
-    options.fill = gusset::FillOptions(); // slits under a flat keel, steps of the deck
+    options.fill = true; // slits under a flat keel, steps of the deck
     const gusset::Join whole(views, options);
     //! [hull]
 

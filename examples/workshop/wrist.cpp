@@ -192,7 +192,7 @@ page::Showcase show(const std::vector<MeshView> &pieces) {
     shown.states = {{"Apart", 0, {}, "Two meshes; no vertex of them moves."}};
     for (const gusset::Finish finish : {gusset::Finish::strip, gusset::Finish::blend}) {
         gusset::JoinOptions options;
-        options.strips.finish = finish;
+        options.strip_options.finish = finish;
         const gusset::Join whole(pieces, options);
         std::vector<uint8_t> paint(whole.mesh().face_count(), 2);
         for (std::size_t k = 0; k < pieces.size(); ++k) {
@@ -240,7 +240,7 @@ int main(int argc, char **argv) try {
     const gusset::openmesh::Input a(body), b(hand); // positions are read where OpenMesh keeps them
     const std::vector<MeshView> pieces{a.view(), b.view()};
     gusset::JoinOptions options; // by default what faces each other is joined, and no hole is filled
-    options.strips.finish = blend ? gusset::Finish::blend : gusset::Finish::strip;
+    options.strip_options.finish = blend ? gusset::Finish::blend : gusset::Finish::strip;
     const gusset::Join whole(pieces, options);
     //! [wrist]
     for (std::size_t k = 0; k < 2; ++k) {

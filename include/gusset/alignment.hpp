@@ -1,4 +1,5 @@
-// Alignment of pieces that overlap. Include gusset.hpp, not this.
+/// @file
+/// Alignment of pieces that overlap. Include gusset.hpp, not this.
 #ifndef GUSSET_ALIGNMENT_HPP
 #define GUSSET_ALIGNMENT_HPP
 
@@ -7,35 +8,17 @@
 
 namespace gusset {
 
-/// The options of alignment; see gusset_alignment_options.
-struct AlignmentOptions {
-    AlignmentStart start = AlignmentStart::as_given;
-    /// For AlignmentStart::as_given: rotations and translations of the pieces to begin with. Empty: none.
-    std::vector<Transform> poses;
-    /// 0: a tenth of the diagonal of the largest piece's box.
-    double max_distance = 0.0;
-    /// 0: 2,000.
-    uint32_t samples = 0;
-    /// 0: 100.
-    uint32_t max_rounds = 0;
-};
-
 /// Where pieces that overlap belong; see gusset_alignment_create.
 class Alignment {
 public:
+    /// See ::gusset_alignment_create.
     explicit Alignment(Span<const MeshView> pieces, const AlignmentOptions &options = {},
                        const Context &context = Context()) {
         std::vector<gusset_mesh_view> views;
         for (const MeshView &piece : pieces) {
             views.push_back(piece.get());
         }
-        auto given = detail::sized<gusset_alignment_options>();
-        given.start = static_cast<uint32_t>(options.start);
-        given.poses = options.poses.data();
-        given.pose_count = options.poses.size();
-        given.max_distance = options.max_distance;
-        given.samples = options.samples;
-        given.max_rounds = options.max_rounds;
+        const gusset_alignment_options given = detail::as_c(options);
         alignment_.reset(context.result(gusset_alignment_create, views.data(), views.size(), &given));
     }
 

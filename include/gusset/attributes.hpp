@@ -1,4 +1,5 @@
-// Values of vertices, corners and faces, carried over to results. Include gusset.hpp, not this.
+/// @file
+/// Values of vertices, corners and faces, carried over to results. Include gusset.hpp, not this.
 #ifndef GUSSET_ATTRIBUTES_HPP
 #define GUSSET_ATTRIBUTES_HPP
 
@@ -81,6 +82,7 @@ public:
         return made;
     }
 
+    /// The argument for the C interface, which this still owns.
     const gusset_origins *get() const noexcept { return origins_.get(); }
     /// What a function of the C interface made.
     explicit Origins(gusset_origins *made) { origins_.reset(made); }

@@ -1,4 +1,5 @@
-// Free boundary loops of meshes. Include gusset.hpp, not this.
+/// @file
+/// Free boundary loops of meshes. Include gusset.hpp, not this.
 #ifndef GUSSET_BOUNDARY_HPP
 #define GUSSET_BOUNDARY_HPP
 
@@ -8,38 +9,42 @@ namespace gusset {
 
 /// One boundary loop or open chain; see gusset_loop_view.
 struct Loop {
+    /// See ::gusset_loop_view::vertices.
     Indices vertices;
+    /// See ::gusset_loop_view::half_edges.
     Indices half_edges;
+    /// See ::gusset_loop_view::faces.
     Indices faces;
+    /// See ::gusset_loop_view::edge_flags.
     Span<const uint8_t> edge_flags;
+    /// See ::gusset_loop_view::length.
     double length;
+    /// See ::gusset_loop_view::flags.
     uint32_t flags;
+    /// See ::gusset_loop_view::walk.
     uint32_t walk;
     /// False for an open chain.
     bool is_closed() const noexcept { return (flags & GUSSET_LOOP_OPEN) == 0; }
-};
-
-/// The options of boundary loops; see gusset_boundary_options.
-struct BoundaryOptions {
-    NonManifold non_manifold = NonManifold::cut;
-    Survey survey = Survey::whole_mesh;
 };
 
 /// All free boundary loops of a mesh, surface on the left; a range of Loop. See
 /// gusset_boundary_create.
 class Boundary {
 public:
+    /// The type of the elements.
     using value_type = Loop;
+    /// The type of iterators.
     using iterator = detail::Iterator<Boundary>;
 
+    /// See ::gusset_boundary_create.
     explicit Boundary(const MeshView &mesh, const BoundaryOptions &options = {}, const Context &context = Context()) {
-        auto given = detail::sized<gusset_boundary_options>();
-        given.non_manifold = static_cast<uint32_t>(options.non_manifold);
-        given.survey = static_cast<uint32_t>(options.survey);
+        const gusset_boundary_options given = detail::as_c(options);
         boundary_.reset(context.result(gusset_boundary_create, &mesh.get(), &given));
     }
 
+    /// The number of elements.
     std::size_t size() const noexcept { return view().loop_count; }
+    /// True if the range has no elements.
     bool empty() const noexcept { return size() == 0; }
     /// The number of walks that the loops were cut from; see gusset_boundary_view.
     std::size_t walk_count() const noexcept { return view().walk_count; }
@@ -59,7 +64,9 @@ public:
     }
     Span<const gusset_defect> defects() const && = delete;
 
+    /// The first element.
     iterator begin() const noexcept { return {this, 0}; }
+    /// The end of the range.
     iterator end() const noexcept { return {this, size()}; }
 
 private:

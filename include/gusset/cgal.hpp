@@ -1,9 +1,10 @@
-// CGAL surface meshes as input and output of gusset. Needs CGAL 5 or later.
-//
-// The view's vertex v is the host's Vertex_index(v): positions are read where CGAL keeps them,
-// removed vertices included, which no face uses. Faces are numbered without the removed ones;
-// face(f) is the host's index. Kernels whose points are three doubles side by side are taken:
-// Simple_cartesian<double>, the EPICK kernel and their like.
+/// @file
+/// CGAL surface meshes as input and output of gusset. Needs CGAL 5 or later.
+///
+/// The view's vertex v is the host's Vertex_index(v): positions are read where CGAL keeps them,
+/// removed vertices included, which no face uses. Faces are numbered without the removed ones;
+/// face(f) is the host's index. Kernels whose points are three doubles side by side are taken:
+/// `Simple_cartesian<double>`, the EPICK kernel and their like.
 #ifndef GUSSET_CGAL_HPP
 #define GUSSET_CGAL_HPP
 
@@ -48,6 +49,7 @@ public:
         }
     }
 
+    /// The mesh as the library reads it.
     MeshView view() const {
         // Removed vertices keep their places in the array until garbage is collected.
         const std::size_t count = mesh_->number_of_vertices() + mesh_->number_of_removed_vertices();

@@ -1,4 +1,5 @@
-// Property maps of CGAL surface meshes, carried over to results. Include cgal.hpp, not this.
+/// @file
+/// Property maps of CGAL surface meshes, carried over to results. Include cgal.hpp, not this.
 #ifndef GUSSET_CGAL_PROPERTIES_HPP
 #define GUSSET_CGAL_PROPERTIES_HPP
 

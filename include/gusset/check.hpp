@@ -1,4 +1,5 @@
-// Checks of meshes. Include gusset.hpp, not this.
+/// @file
+/// Checks of meshes. Include gusset.hpp, not this.
 #ifndef GUSSET_CHECK_HPP
 #define GUSSET_CHECK_HPP
 
@@ -9,9 +10,11 @@ namespace gusset {
 /// The defects of a mesh; see gusset_check_view, whose lists live as long as this.
 class Check {
 public:
+    /// See ::gusset_check_create.
     explicit Check(const MeshView &mesh, const Context &context = Context()) {
         check_.reset(context.result(gusset_check_create, &mesh.get()));
     }
+    /// See ::gusset_check_get_view.
     gusset_check_view view() const & { return detail::lent(gusset_check_get_view, check_.get()); }
     gusset_check_view view() const && = delete;
     /// There are edges, and every one has exactly two faces; degenerate faces have none.

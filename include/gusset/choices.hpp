@@ -1,4 +1,5 @@
-// The choices of gusset.h as enums. Generated from src/capi; do not edit. Include gusset.hpp, not this.
+/// @file
+/// The choices of gusset.h as enums. Generated from src/capi; do not edit. Include gusset.hpp, not this.
 #ifndef GUSSET_CHOICES_HPP
 #define GUSSET_CHOICES_HPP
 

@@ -1,4 +1,5 @@
-// Errors, handles, and the context of calls. Include gusset.hpp, not this.
+/// @file
+/// Errors, handles, and the context of calls. Include gusset.hpp, not this.
 #ifndef GUSSET_CONTEXT_HPP
 #define GUSSET_CONTEXT_HPP
 
@@ -13,7 +14,6 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
-#include <vector>
 
 namespace gusset {
 
@@ -39,14 +39,6 @@ struct Destroyer {
 };
 template <class T, void (*destroy)(T *)>
 using Handle = std::unique_ptr<T, Destroyer<T, destroy>>;
-
-/// A C structure that says how large it is, and whose other fields are 0.
-template <class T>
-T sized() {
-    T made{};
-    made.struct_size = sizeof made;
-    return made;
-}
 
 /// The type that the last parameter of a C function points to.
 template <class... Parameters>
@@ -109,6 +101,7 @@ public:
     /// Receives remarks that are no failures. May throw.
     using Log = std::function<void(const char *message)>;
 
+    /// See ::gusset_context_create.
     Context() : host_(std::make_unique<Host>()), context_(detail::lent(gusset_context_create)) {}
 
     /// 0: as many threads as the machine has; 1: the calling thread only. Results do not depend on
@@ -133,10 +126,12 @@ public:
 
     /// Cancels the running call and all later ones until reset(). From any thread.
     void cancel() const noexcept { gusset_context_cancel(get()); }
+    /// See ::gusset_context_reset.
     void reset() const noexcept { gusset_context_reset(get()); }
     /// The part of the running call that is done, 0 to 1. From any thread.
     double progress() const noexcept { return gusset_context_get_progress(get()); }
 
+    /// The argument for the C interface, which this still owns.
     gusset_context *get() const noexcept { return context_.get(); }
 
     /// Makes a call of the C interface, `function(gusset_context *, arguments...)`; throws an Error

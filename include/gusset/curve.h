@@ -714,6 +714,7 @@ typedef struct gusset_frame_options {
     double reference[3];
     /// ANGLE, bent axis: a point for each section, x, y, z, in place of axis_point and axis_direction. The axis follows
     /// circles through three consecutive points; the reference does not rotate about it. NULL: straight.
+    /// @points
     const double *axis_points;
     size_t axis_point_count;
     /// LANDMARKS: for each section the same number of indices into its own points, in order.

@@ -1,8 +1,10 @@
-// Curves of Bézier segments. Include gusset.hpp, not this.
+/// @file
+/// Curves of Bézier segments. Include gusset.hpp, not this.
 #ifndef GUSSET_CURVE_HPP
 #define GUSSET_CURVE_HPP
 
 #include <gusset/context.hpp>
+#include <gusset/curve_options.hpp>
 
 #include <string_view>
 
@@ -16,8 +18,10 @@ inline Place place(uint32_t segment, double t) { return {segment, 0, t}; }
 /// Places found on a curve; see gusset_places_view.
 class Places {
 public:
+    /// Takes ownership of a handle of the C interface.
     explicit Places(gusset_places *owned) : places_(owned) {}
 
+    /// The number of elements.
     std::size_t size() const { return view().count; }
     /// The places, in the order of the (first) curve.
     Span<const Place> places() const & {
@@ -59,6 +63,7 @@ private:
 /// gusset_curve_form_view.
 class CurveForm {
 public:
+    /// Takes ownership of a handle of the C interface.
     explicit CurveForm(gusset_curve_form *owned) : form_(owned) {}
 
     /// The text of an SVG path; empty for other forms.
@@ -100,6 +105,7 @@ struct OffsetCurve;
 /// A curve of Bézier segments of any degrees up to 64. Immutable.
 class Curve {
 public:
+    /// Takes ownership of a handle of the C interface.
     explicit Curve(gusset_curve *owned) : curve_(owned) {}
 
     /// `controls`: any container of elements that are two or three doubles and nothing else, such as
@@ -124,6 +130,7 @@ public:
                                     closed, static_cast<gusset_scheme>(scheme)));
     }
 
+    /// The argument for the C interface, which this still owns.
     const gusset_curve *get() const noexcept { return curve_.get(); }
     /// The control points.
     Points controls() const & {
@@ -152,16 +159,19 @@ public:
         context.call(gusset_curve_evaluate, get(), places.data(), places.size(), order, detail::numbers(out.data()), nullptr, nullptr);
         return out;
     }
+    /// See ::gusset_curve_evaluate.
     std::vector<Point3> tangents(Span<const Place> places, const Context &context = Context()) const {
         std::vector<Point3> out(places.size());
         context.call(gusset_curve_evaluate, get(), places.data(), places.size(), uint32_t{0}, nullptr, detail::numbers(out.data()), nullptr);
         return out;
     }
+    /// See ::gusset_curve_evaluate.
     std::vector<double> curvatures(Span<const Place> places, const Context &context = Context()) const {
         std::vector<double> out(places.size());
         context.call(gusset_curve_evaluate, get(), places.data(), places.size(), uint32_t{0}, nullptr, nullptr, out.data());
         return out;
     }
+    /// See ::gusset_curve_nearest.
     std::vector<gusset_curve_nearest_point> nearest(Points queries,
                                                     const Context &context = Context()) const {
         std::vector<gusset_curve_nearest_point> out(queries.size());
@@ -182,12 +192,14 @@ public:
         context.call(gusset_curve_lengths_at, get(), places.data(), places.size(), out.data());
         return out;
     }
+    /// See ::gusset_curve_places_at.
     std::vector<Place> places_at(Span<const double> lengths, const Context &context = Context()) const {
         std::vector<Place> out(lengths.size());
         context.call(gusset_curve_places_at, get(), lengths.data(), lengths.size(), out.data());
         return out;
     }
 
+    /// See ::gusset_curve_intersect_plane_create.
     Places intersect_plane(const Point3 &point, const Point3 &normal, const Context &context = Context()) const {
         return Places(context.result(gusset_curve_intersect_plane_create, get(), point.data(), normal.data()));
     }
@@ -212,9 +224,11 @@ public:
         return Places(context.result(gusset_curve_sample_create, get(), static_cast<gusset_sample_rule>(rule), amount));
     }
 
+    /// See ::gusset_curve_part_create.
     Curve part(Place from, Place to, const Context &context = Context()) const {
         return Curve(context.result(gusset_curve_part_create, get(), from, to));
     }
+    /// See ::gusset_curve_reverse_create.
     Curve reversed(const Context &context = Context()) const {
         return Curve(context.result(gusset_curve_reverse_create, get()));
     }
@@ -222,9 +236,8 @@ public:
     /// than `tolerance` is not lowered.
     CurveOfDegrees with_degrees(uint32_t lowest, uint32_t highest, double tolerance = 0.0,
                                 const Context &context = Context()) const;
-    /// `degree`: 2 or 3; `max_segments`: 0 for 65536.
-    OffsetCurve offset(double distance, double tolerance, uint32_t degree = 3, std::size_t max_segments = 0,
-                       const Context &context = Context()) const;
+    /// The curve at a distance; its options have a tolerance above 0.
+    OffsetCurve offset(double distance, const OffsetOptions &options, const Context &context = Context()) const;
 
     /// `tolerance`: of a contour, how far from the middle a joint still counts as there.
     CurveForm exported(CurveFormat format, double tolerance = 0.0, const Context &context = Context()) const {
@@ -259,14 +272,10 @@ inline CurveOfDegrees Curve::with_degrees(uint32_t lowest, uint32_t highest, dou
     return {std::move(curve), std::move(deviations)};
 }
 
-inline OffsetCurve Curve::offset(double distance, double tolerance, uint32_t degree, std::size_t max_segments,
-                                 const Context &context) const {
-    auto options = detail::sized<gusset_offset_options>();
-    options.tolerance = tolerance;
-    options.degree = degree;
-    options.max_segments = max_segments;
+inline OffsetCurve Curve::offset(double distance, const OffsetOptions &options, const Context &context) const {
+    const gusset_offset_options given = detail::as_c(options);
     auto report = detail::sized<gusset_offset_report>();
-    Curve curve(context.result(gusset_curve_offset_create, get(), distance, &options, &report));
+    Curve curve(context.result(gusset_curve_offset_create, get(), distance, &given, &report));
     return {std::move(curve), report};
 }
 

@@ -1,4 +1,5 @@
-// Developments: surfaces laid out in the plane. Include gusset.hpp, not this.
+/// @file
+/// Developments: surfaces laid out in the plane. Include gusset.hpp, not this.
 #ifndef GUSSET_DEVELOPMENT_HPP
 #define GUSSET_DEVELOPMENT_HPP
 
@@ -8,35 +9,12 @@
 
 namespace gusset {
 
-/// How a surface is developed; see gusset_develop_options.
-struct DevelopOptions {
-    Distortion distortion = Distortion::symmetric;
-    /// Paths along which the surface is cut, each through vertices of the mesh.
-    std::vector<std::vector<uint32_t>> cuts;
-    uint32_t max_darts = 0;
-    /// Empty: all darts are made.
-    std::optional<double> max_stretch;
-    /// 0: 200.
-    uint32_t max_iterations = 0;
-};
-
 /// A surface in the plane; see gusset_develop. Its mesh is flat, with z = 0.
 class Development : public Result {
 public:
+    /// See ::gusset_develop.
     explicit Development(const MeshView &mesh, const DevelopOptions &options = {}, const Context &context = Context()) {
-        std::vector<uint32_t> vertices, offsets{0};
-        for (const auto &path : options.cuts) {
-            vertices.insert(vertices.end(), path.begin(), path.end());
-            offsets.push_back(static_cast<uint32_t>(vertices.size()));
-        }
-        auto given = detail::sized<gusset_develop_options>();
-        given.distortion = static_cast<uint32_t>(options.distortion);
-        given.max_darts = options.max_darts;
-        given.cuts = {vertices.data(), vertices.size()};
-        given.cut_offsets = {offsets.data(), offsets.size()};
-        // 0 would be no limit.
-        given.max_stretch = options.max_stretch ? (*options.max_stretch == 0.0 ? -1.0 : *options.max_stretch) : 0.0;
-        given.max_iterations = options.max_iterations;
+        const gusset_develop_options given = detail::as_c(options);
         take(context.result(gusset_develop, &mesh.get(), &given));
     }
 

@@ -1,57 +1,11 @@
-// Hole filling. Include gusset.hpp, not this.
+/// @file
+/// Hole filling. Include gusset.hpp, not this.
 #ifndef GUSSET_FILL_HPP
 #define GUSSET_FILL_HPP
 
 #include <gusset/result.hpp>
-#include <gusset/stitch.hpp>
 
 namespace gusset {
-
-/// The options of filling; see gusset_fill_options. A limit of 0 is none.
-struct FillOptions {
-    FillWeight weight = FillWeight::continuation;
-    FillRefinement refine = FillRefinement::none;
-    Fairing fairing = Fairing::none;
-    FillKeep keep = FillKeep::none;
-    Intersections intersections = Intersections::automatic;
-    bool plan_only = false;
-    uint32_t max_new_vertices = 0;
-    uint32_t max_edges = 0;
-    double max_length = 0.0;
-    double max_diameter = 0.0;
-    double max_area = 0.0;
-    Outward outward = Outward::keep;
-    FillTogether together = FillTogether::apart;
-    /// One for each loop that is given: those with the same number get one patch; empty: as together says.
-    std::vector<uint32_t> groups;
-    /// How smoothly faired vertices go on the old surface.
-    FillContinuity continuity = FillContinuity::c1;
-    /// No patch goes on with creases of the old surface.
-    bool ignore_creases = false;
-};
-
-namespace detail {
-inline gusset_fill_options as_c(const FillOptions &options) {
-    auto given = detail::sized<gusset_fill_options>();
-    given.weight = static_cast<uint32_t>(options.weight);
-    given.refine = static_cast<uint32_t>(options.refine);
-    given.fairing = static_cast<uint32_t>(options.fairing);
-    given.keep = static_cast<uint32_t>(options.keep);
-    given.intersections = static_cast<uint32_t>(options.intersections);
-    given.plan_only = options.plan_only ? 1 : 0;
-    given.max_new_vertices = options.max_new_vertices;
-    given.max_edges = options.max_edges;
-    given.max_length = options.max_length;
-    given.max_diameter = options.max_diameter;
-    given.max_area = options.max_area;
-    given.outward = static_cast<uint32_t>(options.outward);
-    given.together = static_cast<uint32_t>(options.together);
-    given.groups = options.groups.empty() ? nullptr : options.groups.data();
-    given.continuity = static_cast<uint32_t>(options.continuity);
-    given.ignore_creases = options.ignore_creases ? 1 : 0;
-    return given;
-}
-} // namespace detail
 
 /// A mesh with holes filled; see gusset_fill. Its old vertices and faces come first.
 class Fill : public Result {
@@ -98,6 +52,7 @@ public:
     /// The faces that Outward::closed turned over.
     Indices turned_outwards() const & { return detail::indices(report().turned_outwards); }
     Indices turned_outwards() const && = delete;
+    /// See ::gusset_result_get_quality.
     gusset_quality_report quality() const { return detail::lent(gusset_result_get_quality, get()); }
 
 private:

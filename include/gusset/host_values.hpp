@@ -1,4 +1,5 @@
-// Values of a host's elements, carried over: what the adapters share. Include an adapter, not this.
+/// @file
+/// Values of a host's elements, carried over: what the adapters share. Include an adapter, not this.
 #ifndef GUSSET_HOST_VALUES_HPP
 #define GUSSET_HOST_VALUES_HPP
 

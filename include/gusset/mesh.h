@@ -1244,6 +1244,7 @@ typedef struct gusset_trim_options {
     /// Largest angle between their normals, in radians, at least 0, below pi / 2; 0: 60 degrees.
     double max_angle;
     /// x, y, z for each piece, in the unit of the positions, or NULL. Parts seen at flat angles weigh less.
+    /// @points
     const double *viewpoints;
     size_t viewpoint_count;
     /// Islands of fewer faces are removed; 0: 30. The limit is 20 times as large for islands that other pieces also

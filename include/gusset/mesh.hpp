@@ -1,8 +1,10 @@
-// Views of polygon meshes. Include gusset.hpp, not this.
+/// @file
+/// Views of polygon meshes. Include gusset.hpp, not this.
 #ifndef GUSSET_MESH_HPP
 #define GUSSET_MESH_HPP
 
 #include <gusset/context.hpp>
+#include <gusset/mesh_options.hpp>
 
 #include <cstring>
 
@@ -70,6 +72,7 @@ public:
         return {static_cast<const uint32_t *>(view_.merge), view_.merge == nullptr ? 0 : view_.vertex_count};
     }
 
+    /// The argument for the C interface, which this still owns.
     const gusset_mesh_view &get() const noexcept { return view_; }
     /// The number of vertices.
     std::size_t vertex_count() const noexcept { return view_.vertex_count; }

@@ -1,4 +1,5 @@
-// Nets: regular networks of quads, closed to surfaces by gluing. Include gusset.hpp, not this.
+/// @file
+/// Nets: regular networks of quads, closed to surfaces by gluing. Include gusset.hpp, not this.
 #ifndef GUSSET_NET_HPP
 #define GUSSET_NET_HPP
 
@@ -23,34 +24,6 @@ constexpr NetMeasures operator|(NetMeasures a, NetMeasures b) {
     return static_cast<NetMeasures>(static_cast<uint32_t>(a) | static_cast<uint32_t>(b));
 }
 
-/// How cells are made plane; see gusset_planarise_options.
-struct PlanariseOptions {
-    /// The distance that is plane enough, as a part of the diagonal of the box; 0: the default.
-    double tolerance = 0.0;
-    /// 0: the default.
-    uint32_t max_iterations = 0;
-    /// The boundary of the surface stays.
-    bool keep_boundary = false;
-    /// A byte for each node, 1 for one that stays; none: all may move.
-    std::vector<uint8_t> fixed;
-};
-
-class Net;
-
-/// How bridges find their equilibrium; see gusset_settle_options.
-struct SettleOptions {
-    /// The last displacement, as a part of the diagonal of the box; 0: the default.
-    double tolerance = 0.0;
-    /// Rest lengths as a multiple of those in the reference; 0: 1.
-    double rest_ratio = 0.0;
-    /// The net at rest; none: the net as it is given.
-    const Net *reference = nullptr;
-    /// A byte for each part, 1 for one that moves; none: all are held.
-    std::vector<uint8_t> free;
-    /// 0: the default.
-    uint32_t max_iterations = 0;
-};
-
 /// The deviations of the cells of a net from planes; see gusset_net_planarity.
 struct NetPlanarity {
     /// The largest, the mean, and the number above the tolerance.
@@ -66,14 +39,20 @@ struct DecimatedNet;
 /// as it is.
 class Net {
 public:
+    /// Takes ownership of a handle of the C interface.
     explicit Net(gusset_net *owned) : net_(owned) {}
+    /// Shares the memory of another net until one of the two is changed.
     Net(const Net &other) { *this = other; }
+    /// Takes over another net.
     Net(Net &&) noexcept = default;
+    /// Takes over another net.
     Net &operator=(Net &&) noexcept = default;
+    /// Shares the memory of another net until one of the two is changed.
     Net &operator=(const Net &other) {
         net_.reset(detail::lent(gusset_net_copy_create, nullptr, other.get(), nullptr));
         return *this;
     }
+    /// Destroys the net; copies stay.
     ~Net() = default;
 
     /// A net of a copy of points, row after row: any container that keeps its elements side by
@@ -218,6 +197,7 @@ public:
         detail::lent(gusset_net_get_gluing, get(), out.data(), out.size(), nullptr, std::size_t{0});
         return out;
     }
+    /// See ::gusset_net_get_gluing.
     std::vector<Seam> seams() const {
         std::vector<Seam> out(gluing_report().seam_count);
         detail::lent(gusset_net_get_gluing, get(), nullptr, std::size_t{0}, out.data(), out.size());
@@ -236,13 +216,14 @@ public:
     /// Glues nodes with equal coordinates; see `detect` of GlueOptions.
     void detect_gluing(double tolerance = 0.0, const Context &context = Context()) {
         GlueOptions options;
-        options.detect = tolerance;
+        options.detect = true;
+        options.tolerance = tolerance;
         glue(options, context);
     }
     /// Glues nodes, all or none; positions stay as they are.
     void glue(Span<const LocalGluing> gluings, const Context &context = Context()) {
         GlueOptions options;
-        options.gluings = gluings;
+        options.gluings.assign(gluings.begin(), gluings.end());
         glue(options, context);
     }
     /// One gluing; see gusset_net_glue.
@@ -268,7 +249,7 @@ public:
     /// Contracts links by their numbers, such as NetAnalysis::contracted; to be followed by snap.
     void absorb(Indices links, const Context &context = Context()) {
         GlueOptions options;
-        options.links = links;
+        options.links.assign(links.begin(), links.end());
         glue(options, context);
     }
     /// Contracts every link whose ends are one point already.
@@ -308,49 +289,51 @@ public:
         context.call(gusset_net_gluing_occurrences, get(), cyclic, found.data(), found.size(), &written);
         return found;
     }
+    /// See ::gusset_net_histogram.
     GluingHistogram histogram(const Context &context = Context()) const {
         GluingHistogram found{};
         context.call(gusset_net_histogram, get(), found.nodes.data(), found.cells.data());
         return found;
     }
 
+    /// A copy: a part, without repeated rows and columns, enlarged, turned, converted, as the options say.
+    Net copied(const NetCopyOptions &options, const Context &context = Context()) const {
+        const gusset_net_copy_options given = detail::as_c(options);
+        return Net(context.result(gusset_net_copy_create, get(), &given));
+    }
     /// A copy with coordinates of another type.
     Net converted(Scalar scalar, const Context &context = Context()) const {
-        auto given = detail::sized<gusset_net_copy_options>();
-        given.scalar = static_cast<uint32_t>(scalar);
-        return copied(given, context);
+        NetCopyOptions options;
+        options.scalar = scalar;
+        return copied(options, context);
     }
     /// The net within a range of rows and of columns; a count of 0: all that there are from the first on.
     Net part(std::size_t row_first, std::size_t row_count, std::size_t column_first, std::size_t column_count,
              const Context &context = Context()) const {
-        auto given = detail::sized<gusset_net_copy_options>();
-        given.row_first = row_first;
-        given.row_count = row_count;
-        given.column_first = column_first;
-        given.column_count = column_count;
-        return copied(given, context);
+        NetCopyOptions options;
+        options.row_first = row_first;
+        options.row_count = row_count;
+        options.column_first = column_first;
+        options.column_count = column_count;
+        return copied(options, context);
     }
     /// The net with rows and columns exchanged.
-    Net transposed(const Context &context = Context()) const { return turned_by(GUSSET_NET_TURN_TRANSPOSE, context); }
+    Net transposed(const Context &context = Context()) const { return turned_by(NetTurn::transpose, context); }
     /// The last column first, or the last row.
     Net flipped(Direction direction, const Context &context = Context()) const {
-        const bool columns = direction == Direction::right;
-        return turned_by(columns ? GUSSET_NET_TURN_FLIP_COLUMNS : GUSSET_NET_TURN_FLIP_ROWS, context);
+        return turned_by(direction == Direction::right ? NetTurn::flip_columns : NetTurn::flip_rows, context);
     }
     /// The net after quarters of a turn: after one, the last column is the first row.
     Net turned(int32_t quarters, const Context &context = Context()) const {
-        return turned_by(static_cast<gusset_net_turn>((quarters % 4 + 4) % 4), context);
+        return turned_by(static_cast<NetTurn>((quarters % 4 + 4) % 4), context);
     }
-    /// A larger net of the same surface.
-    Net reformatted(const ReformatOptions &options, const Context &context = Context()) const {
-        return copied(detail::as_c(options), context);
-    }
-    /// The inverse: without rows and columns that repeat the one before them.
+    /// The net without rows and columns that repeat the one before them.
     Net compacted(const Context &context = Context()) const {
-        auto given = detail::sized<gusset_net_copy_options>();
-        given.compact = 1;
-        return copied(given, context);
+        NetCopyOptions options;
+        options.compact = true;
+        return copied(options, context);
     }
+    /// See ::gusset_net_resample_create.
     Net resampled(std::size_t rows, std::size_t columns, Interpolation interpolation = Interpolation::bicubic,
                   const Context &context = Context()) const {
         return Net(context.result(gusset_net_resample_create, get(), rows, columns,
@@ -375,6 +358,7 @@ public:
 
     /// The number of bridges.
     std::size_t bridge_count() const { return gluing_report().bridge_count; }
+    /// See ::gusset_net_get_bridge.
     Bridge bridge(std::size_t index) const {
         const gusset_bridge found = detail::lent(gusset_net_get_bridge, get(), index);
         return {static_cast<Direction>(found.direction), found.at,        found.start,
@@ -431,6 +415,7 @@ public:
                                       const Context &context = Context()) const {
         return context.result(gusset_net_measure, get(), static_cast<gusset_net_measures>(measures));
     }
+    /// See ::gusset_net_planarity.
     NetPlanarity planarity(double tolerance = 0.0, const Context &context = Context()) const {
         const gusset_net_view arrays = view();
         NetPlanarity found{detail::sized<gusset_net_planarity_report>(), {}};
@@ -442,23 +427,12 @@ public:
     }
     /// Moves nodes as little as possible so that all cells are plane; see gusset_net_planarise.
     gusset_planarise_report planarise(const PlanariseOptions &options = {}, const Context &context = Context()) {
-        auto given = detail::sized<gusset_planarise_options>();
-        given.tolerance = options.tolerance;
-        given.max_iterations = options.max_iterations;
-        given.keep_boundary = options.keep_boundary;
-        given.fixed = options.fixed.empty() ? nullptr : options.fixed.data();
-        given.fixed_count = options.fixed.size();
+        const gusset_planarise_options given = detail::as_c(options);
         return context.result(gusset_net_planarise, get(), &given);
     }
     /// Moves bridges, and parts that are free, to their equilibrium; see gusset_net_settle.
     gusset_settle_report settle(const SettleOptions &options = {}, const Context &context = Context()) {
-        auto given = detail::sized<gusset_settle_options>();
-        given.tolerance = options.tolerance;
-        given.rest_ratio = options.rest_ratio;
-        given.reference = options.reference != nullptr ? options.reference->get() : nullptr;
-        given.free = options.free.empty() ? nullptr : options.free.data();
-        given.free_count = options.free.size();
-        given.max_iterations = options.max_iterations;
+        const gusset_settle_options given = detail::as_c(options);
         return context.result(gusset_net_settle, get(), &given);
     }
     /// The net at a time from 0 to 1 on the way to another; see gusset_net_morph_create.
@@ -476,6 +450,7 @@ public:
         return found;
     }
 
+    /// The argument for the C interface, which this still owns.
     gusset_net *get() const noexcept { return net_.get(); }
 
 private:
@@ -486,13 +461,10 @@ private:
     gusset_net_gluing_report gluing_report() const {
         return detail::lent(gusset_net_get_gluing, get(), nullptr, std::size_t{0}, nullptr, std::size_t{0});
     }
-    Net copied(const gusset_net_copy_options &options, const Context &context) const {
-        return Net(context.result(gusset_net_copy_create, get(), &options));
-    }
-    Net turned_by(gusset_net_turn turn, const Context &context) const {
-        auto given = detail::sized<gusset_net_copy_options>();
-        given.turn = turn;
-        return copied(given, context);
+    Net turned_by(NetTurn turn, const Context &context) const {
+        NetCopyOptions options;
+        options.turn = turn;
+        return copied(options, context);
     }
     static Net create(const gusset_net_view &arrays, const Gluing &gluing, gusset_net_memory memory,
                       const Context &context) {
@@ -507,8 +479,10 @@ private:
 struct DecimatedNet {
     /// The smaller net.
     Net net;
-    /// The rows and columns of the old net that it keeps.
-    std::vector<uint32_t> rows, columns;
+    /// The rows of the old net that it keeps.
+    std::vector<uint32_t> rows;
+    /// The columns of the old net that it keeps.
+    std::vector<uint32_t> columns;
     /// Its deviation from the old one.
     double deviation;
 };

@@ -1,4 +1,5 @@
-// The effect of deformations on nets. Include gusset.hpp, not this.
+/// @file
+/// The effect of deformations on nets. Include gusset.hpp, not this.
 #ifndef GUSSET_NET_ANALYSIS_HPP
 #define GUSSET_NET_ANALYSIS_HPP
 
@@ -10,24 +11,17 @@ namespace gusset {
 /// this. See gusset_net_analysis_view.
 class NetAnalysis {
 public:
-    /// Of a net before and after.
-    NetAnalysis(const Net &before, const Net &after, double tolerance = 0.0, const Context &context = Context()) {
-        auto given = detail::sized<gusset_net_analysis_options>();
-        given.after = after.get();
-        given.tolerance = tolerance;
-        analysis_.reset(context.result(gusset_net_analysis_create, before.get(), &given));
-    }
-    /// Of fields on a net, which stays as it is.
-    NetAnalysis(const Net &net, Span<const Field> fields, double time = 0.0, double tolerance = 0.0,
-                const Context &context = Context()) {
-        const std::vector<gusset_field> chain = detail::as_c(fields);
-        auto given = detail::sized<gusset_net_analysis_options>();
-        given.fields = chain.data();
-        given.field_count = chain.size();
-        given.time = time;
-        given.tolerance = tolerance;
+    /// Of a deformation of a net, which stays as it is.
+    NetAnalysis(const Net &net, const NetAnalysisOptions &options, const Context &context = Context()) {
+        const gusset_net_analysis_options given = detail::as_c(options);
         analysis_.reset(context.result(gusset_net_analysis_create, net.get(), &given));
     }
+    /// Of a net before and after.
+    NetAnalysis(const Net &before, const Net &after, const Context &context = Context())
+        : NetAnalysis(before, options_of(after), context) {}
+    /// Of fields on a net, which stays as it is.
+    NetAnalysis(const Net &net, Span<const Field> fields, const Context &context = Context())
+        : NetAnalysis(net, options_of(fields), context) {}
     /// Of each link, its new length divided by its old one; NaN if it had none.
     Span<const double> links() const & {
         const gusset_net_analysis_view found = view();
@@ -78,6 +72,16 @@ public:
     bool is_soft() const { return view().soft != 0; }
 
 private:
+    static NetAnalysisOptions options_of(const Net &after) {
+        NetAnalysisOptions options;
+        options.after = after.get();
+        return options;
+    }
+    static NetAnalysisOptions options_of(Span<const Field> fields) {
+        NetAnalysisOptions options;
+        options.fields = detail::as_c(fields);
+        return options;
+    }
     gusset_net_analysis_view view() const { return detail::lent(gusset_net_analysis_get_view, analysis_.get()); }
     detail::Handle<gusset_net_analysis, gusset_net_analysis_destroy> analysis_;
 };

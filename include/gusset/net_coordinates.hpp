@@ -1,4 +1,5 @@
-// Coordinates of nets. Include gusset.hpp, not this.
+/// @file
+/// Coordinates of nets. Include gusset.hpp, not this.
 #ifndef GUSSET_NET_COORDINATES_HPP
 #define GUSSET_NET_COORDINATES_HPP
 
@@ -20,6 +21,7 @@ public:
     std::size_t columns() const noexcept { return columns_; }
     /// Numbers from row to row.
     std::size_t stride() const noexcept { return stride_; }
+    /// The first element.
     T *data() const noexcept { return data_; }
     /// Row `i`.
     Span<T> row(std::size_t i) const { return {data_ + i * stride_, columns_}; }
@@ -34,15 +36,23 @@ private:
 /// The coordinates of a net.
 template <class T>
 struct NetCoordinates {
-    /// The three matrices.
-    MatrixView<T> x, y, z;
+    /// The first coordinates.
+    MatrixView<T> x;
+    /// The second coordinates.
+    MatrixView<T> y;
+    /// The third coordinates.
+    MatrixView<T> z;
 };
 
 /// The unit normals of all nodes, row after row.
 template <class T>
 struct NetNormals {
-    /// The coordinates of the normals, row after row.
-    std::vector<T> x, y, z;
+    /// The first coordinates of the normals, row after row.
+    std::vector<T> x;
+    /// The second coordinates.
+    std::vector<T> y;
+    /// The third coordinates.
+    std::vector<T> z;
     /// The number of nodes without a normal, which get zeros.
     uint64_t missing_count = 0;
 };

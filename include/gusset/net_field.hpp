@@ -1,4 +1,5 @@
-// Spatial operations and fields of deformation. Include gusset.hpp, not this.
+/// @file
+/// Spatial operations and fields of deformation. Include gusset.hpp, not this.
 #ifndef GUSSET_NET_FIELD_HPP
 #define GUSSET_NET_FIELD_HPP
 
@@ -73,8 +74,10 @@ static_assert(sizeof(Operation) == sizeof(gusset_operation), "an operation is wh
 
 /// A time, and the strength of a field there.
 struct FieldKey {
-    /// The time, and the part of the field that is applied then.
-    double time, strength;
+    /// The time.
+    double time;
+    /// The part of the field that is applied at this time.
+    double strength;
 };
 
 /// A field of deformation, for Net::deform. It owns its keys and offsets. See the constants

@@ -1,8 +1,10 @@
-// Gluing of nets. Include gusset.hpp, not this.
+/// @file
+/// Gluing of nets. Include gusset.hpp, not this.
 #ifndef GUSSET_NET_GLUING_HPP
 #define GUSSET_NET_GLUING_HPP
 
 #include <gusset/context.hpp>
+#include <gusset/net_options.hpp>
 
 namespace gusset {
 
@@ -119,42 +121,15 @@ private:
 };
 static_assert(sizeof(LocalGluing) == sizeof(gusset_gluing), "a gluing is what C takes");
 
-/// How a net is glued, in the order of the fields; see gusset_glue_options. Spans must outlive the call.
-struct GlueOptions {
-    /// Replaces the gluing by the one of nodes that lie together within this distance; empty: not.
-    std::optional<double> detect;
-    /// Pairs of nodes that are glued.
-    Span<const LocalGluing> gluings;
-    /// Links that are contracted, such as NetAnalysis::contracted.
-    Indices links;
-    /// Contracts every link whose ends are one point already.
-    bool saturate = false;
-    /// Gives glued nodes the position of the first of them.
-    bool snap = false;
-};
-
-namespace detail {
-inline gusset_glue_options as_c(const GlueOptions &options) {
-    auto given = sized<gusset_glue_options>();
-    given.tolerance = options.detect.value_or(0.0);
-    given.gluings = options.gluings.data();
-    given.gluing_count = options.gluings.size();
-    given.links = options.links.data();
-    given.link_count = options.links.size();
-    given.detect = options.detect ? 1 : 0;
-    given.saturate = options.saturate ? 1 : 0;
-    given.snap = options.snap ? 1 : 0;
-    return given;
-}
-} // namespace detail
-
 /// A local gluing of a net, with its letters and orders; see gusset_gluing_occurrence.
 using GluingOccurrence = gusset_gluing_occurrence;
 
 /// The numbers of nodes and of cells of each local gluing, by GluingType; see gusset_net_histogram.
 struct GluingHistogram {
-    /// The numbers of nodes, and of cells, of each type.
-    std::array<uint64_t, 18> nodes, cells;
+    /// The number of nodes of each type.
+    std::array<uint64_t, 18> nodes;
+    /// The number of cells of each type.
+    std::array<uint64_t, 18> cells;
 };
 
 } // namespace gusset

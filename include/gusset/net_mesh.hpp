@@ -1,4 +1,5 @@
-// From nets to meshes and back. Include gusset.hpp, not this.
+/// @file
+/// From nets to meshes and back. Include gusset.hpp, not this.
 #ifndef GUSSET_NET_MESH_HPP
 #define GUSSET_NET_MESH_HPP
 
@@ -7,19 +8,6 @@
 
 namespace gusset {
 
-/// The options of the mesh of a net; see gusset_net_mesh_options.
-struct NetMeshOptions {
-    NetFaces faces = NetFaces::quads;
-    /// Glued nodes become one vertex.
-    bool weld = true;
-    bool keep_unused = false;
-    /// A cell with exactly one missing corner becomes a triangle.
-    bool fill_corners = false;
-    bool texture = false;
-    /// Faces with an edge of more than so many times the median are left out; 0 for no limit.
-    double max_edge_ratio = 0.0;
-};
-
 /// The mesh of a net; see gusset_net_to_mesh. It keeps nothing of the net; views and spans live
 /// as long as this.
 class NetMesh : public Result {
@@ -27,14 +15,9 @@ public:
     /// The index of an element that is not in the mesh.
     static constexpr uint32_t none = UINT32_MAX;
 
+    /// See ::gusset_net_to_mesh.
     explicit NetMesh(const Net &net, const NetMeshOptions &options = {}, const Context &context = Context()) {
-        auto given = detail::sized<gusset_net_mesh_options>();
-        given.faces = static_cast<gusset_net_faces>(options.faces);
-        given.no_weld = options.weld ? 0 : 1;
-        given.keep_unused = options.keep_unused ? 1 : 0;
-        given.fill_corners = options.fill_corners ? 1 : 0;
-        given.texture = options.texture ? 1 : 0;
-        given.max_edge_ratio = options.max_edge_ratio;
+        const gusset_net_mesh_options given = detail::as_c(options);
         take(context.result(gusset_net_to_mesh, net.get(), &given));
     }
 
@@ -69,14 +52,15 @@ private:
 /// live as long as this.
 class NetGrid {
 public:
-    /// `face`: one of the wanted component; empty: the mesh must be one grid.
-    explicit NetGrid(const MeshView &mesh, std::optional<uint32_t> face = std::nullopt,
-                     const Context &context = Context())
-        : NetGrid(mesh, {sizeof(gusset_net_grid_options), GUSSET_GRID_QUADS, face ? 1U : 0U, face.value_or(0), 0}, context) {}
-    /// For a mesh of triangles, two for each cell.
-    static NetGrid of_triangles(const MeshView &mesh, const Context &context = Context()) {
-        return NetGrid(mesh, {sizeof(gusset_net_grid_options), GUSSET_GRID_TRIANGLES, 0, 0, 0}, context);
-    }
+    /// The grid of a mesh, or of one of its components.
+    explicit NetGrid(const MeshView &mesh, const NetGridOptions &options = {}, const Context &context = Context())
+        : net_([&] {
+              const gusset_net_grid_options given = detail::as_c(options);
+              gusset_net_grid *grid = nullptr;
+              gusset_net *const net = context.result(gusset_net_from_mesh_create, &mesh.get(), &given, &grid);
+              grid_.reset(grid);
+              return net;
+          }()) {}
 
     /// A copy of the net.
     Net net() const { return net_; }
@@ -88,13 +72,6 @@ public:
     Indices face_of_cell() const && = delete;
 
 private:
-    NetGrid(const MeshView &mesh, const gusset_net_grid_options &given, const Context &context)
-        : net_([&] {
-              gusset_net_grid *grid = nullptr;
-              gusset_net *const net = context.result(gusset_net_from_mesh_create, &mesh.get(), &given, &grid);
-              grid_.reset(grid);
-              return net;
-          }()) {}
     gusset_net_grid_view view() const { return detail::lent(gusset_net_grid_get_view, grid_.get()); }
     detail::Handle<gusset_net_grid, gusset_net_grid_destroy> grid_;
     Net net_;

@@ -1,4 +1,5 @@
-// Primitives: nets of standard shapes. Include gusset.hpp, not this.
+/// @file
+/// Primitives: nets of standard shapes. Include gusset.hpp, not this.
 #ifndef GUSSET_NET_PRIMITIVE_HPP
 #define GUSSET_NET_PRIMITIVE_HPP
 
@@ -12,8 +13,10 @@ namespace gusset {
 /// See the constants GUSSET_NET_PLANE to GUSSET_NET_PILLOW and gusset_net_primitive_create.
 class Primitive {
 public:
-    /// Rows and columns of nodes; 0: the library's choice.
-    std::size_t rows = 0, columns = 0;
+    /// Rows of nodes; 0: the library's choice.
+    std::size_t rows = 0;
+    /// Columns of nodes; 0: the library's choice.
+    std::size_t columns = 0;
     /// The type of coordinates.
     Scalar scalar = Scalar::f64;
 

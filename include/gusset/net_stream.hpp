@@ -1,21 +1,12 @@
-// Streams: the compact serialised form of nets. Include gusset.hpp, not this.
+/// @file
+/// Streams: the compact serialised form of nets. Include gusset.hpp, not this.
 #ifndef GUSSET_NET_STREAM_HPP
 #define GUSSET_NET_STREAM_HPP
 
 #include <gusset/net.hpp>
+#include <gusset/stream_options.hpp>
 
 namespace gusset {
-
-/// The options of a stream; see gusset_stream_options.
-struct StreamOptions {
-    StreamMode mode = StreamMode::quantised;
-    /// Bits of a coordinate, 8 to 24; 0 for 14. For quantised streams only.
-    uint32_t bits = 0;
-    /// The step of each axis follows from its own extent. For quantised streams only.
-    bool per_axis = false;
-    /// 0: the library's choice.
-    std::size_t rows_per_block = 0;
-};
 
 /// Bytes in memory that belongs to someone else.
 using Bytes = Span<const uint8_t>;
@@ -25,12 +16,9 @@ using StreamReport = gusset_stream_report;
 /// The bytes of a net; see gusset_net_encode_create. Immutable.
 class Stream {
 public:
+    /// See ::gusset_net_encode_create.
     explicit Stream(const Net &net, const StreamOptions &options = {}, const Context &context = Context()) {
-        auto given = detail::sized<gusset_stream_options>();
-        given.rows_per_block = options.rows_per_block;
-        given.mode = static_cast<gusset_stream_mode>(options.mode);
-        given.bits = options.bits;
-        given.per_axis = options.per_axis ? 1 : 0;
+        const gusset_stream_options given = detail::as_c(options);
         stream_.reset(context.result(gusset_net_encode_create, net.get(), &given));
     }
 

@@ -1,4 +1,5 @@
-// The topology of nets. Include gusset.hpp, not this.
+/// @file
+/// The topology of nets. Include gusset.hpp, not this.
 #ifndef GUSSET_NET_TOPOLOGY_HPP
 #define GUSSET_NET_TOPOLOGY_HPP
 
@@ -10,9 +11,11 @@ namespace gusset {
 /// the net. See gusset_net_complex_view, whose lists live as long as this.
 class NetComplex {
 public:
+    /// See ::gusset_net_complex_create.
     explicit NetComplex(const Net &net, NetCells cells = NetCells::all, const Context &context = Context()) {
         complex_.reset(context.result(gusset_net_complex_create, net.get(), static_cast<gusset_net_cells>(cells)));
     }
+    /// See ::gusset_net_complex_get_view.
     gusset_net_complex_view view() const & { return detail::lent(gusset_net_complex_get_view, complex_.get()); }
     gusset_net_complex_view view() const && = delete;
     /// No boundary edges.
@@ -65,10 +68,13 @@ private:
 /// this.
 class NetGroups {
 public:
+    /// See ::gusset_net_groups_create.
     explicit NetGroups(const Net &net, const Context &context = Context()) {
         groups_.reset(context.result(gusset_net_groups_create, net.get()));
     }
+    /// The number of elements.
     std::size_t size() const { return offsets().size() - 1; }
+    /// True if the range has no elements.
     bool empty() const { return size() == 0; }
     /// The nodes of group `i`, in order; throws std::out_of_range.
     Indices operator[](std::size_t i) const {

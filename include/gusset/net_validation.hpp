@@ -1,4 +1,5 @@
-// Validation of nets. Include gusset.hpp, not this.
+/// @file
+/// Validation of nets. Include gusset.hpp, not this.
 #ifndef GUSSET_NET_VALIDATION_HPP
 #define GUSSET_NET_VALIDATION_HPP
 
@@ -8,6 +9,7 @@ namespace gusset {
 
 /// One finding; kind is a NetFindingKind.
 using NetFinding = gusset_net_finding;
+/// As in the standard library.
 inline bool operator==(const NetFinding &finding, NetFindingKind kind) {
     return finding.kind == static_cast<uint32_t>(kind);
 }
@@ -16,6 +18,7 @@ inline bool operator==(const NetFinding &finding, NetFindingKind kind) {
 /// long as this.
 class NetValidation {
 public:
+    /// See ::gusset_net_validation_create.
     explicit NetValidation(const Net &net, double tolerance = 0.0, const Context &context = Context()) {
         validation_.reset(context.result(gusset_net_validation_create, net.get(), tolerance));
     }

@@ -1,8 +1,9 @@
-// OpenMesh meshes as input and output of gusset. Needs OpenMesh 8 or later.
-//
-// The view's vertex v is the host's VertexHandle(v): positions are read where OpenMesh keeps them,
-// deleted vertices included, which no face uses. Faces are numbered without the deleted ones;
-// face(f) is the host's handle.
+/// @file
+/// OpenMesh meshes as input and output of gusset. Needs OpenMesh 8 or later.
+///
+/// The view's vertex v is the host's VertexHandle(v): positions are read where OpenMesh keeps them,
+/// deleted vertices included, which no face uses. Faces are numbered without the deleted ones;
+/// face(f) is the host's handle.
 #ifndef GUSSET_OPENMESH_HPP
 #define GUSSET_OPENMESH_HPP
 

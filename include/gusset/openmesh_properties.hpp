@@ -1,4 +1,5 @@
-// Properties of OpenMesh meshes, carried over to results. Include openmesh.hpp, not this.
+/// @file
+/// Properties of OpenMesh meshes, carried over to results. Include openmesh.hpp, not this.
 #ifndef GUSSET_OPENMESH_PROPERTIES_HPP
 #define GUSSET_OPENMESH_PROPERTIES_HPP
 

@@ -1,4 +1,5 @@
-// Outlines: Bézier curves through given points. Include gusset.hpp, not this.
+/// @file
+/// Outlines: Bézier curves through given points. Include gusset.hpp, not this.
 #ifndef GUSSET_OUTLINE_HPP
 #define GUSSET_OUTLINE_HPP
 
@@ -50,46 +51,11 @@ public:
         given_.constraint_count = constraints.size();
         return *this;
     }
+    /// The argument for the C interface, which this still owns.
     const gusset_outlines &get() const noexcept { return given_; }
 
 private:
     gusset_outlines given_ = detail::sized<gusset_outlines>();
-};
-
-/// The options of outlines; see gusset_outline_options. 0 stands for the default.
-struct OutlineOptions {
-    CurveKind curve = CurveKind::composite;
-    SectionMethod method = SectionMethod::bisector;
-    ParameterLock lock = ParameterLock::parameter;
-    JointParameter joint = JointParameter::half;
-    OutlineSolver solver = OutlineSolver::fast;
-    OutlineEnds ends = OutlineEnds::free;
-    /// For SectionMethod::alpha.
-    double alpha = 0.5;
-    double parameter_limit = 0.0;
-    double repeat_tolerance = 0.0;
-    double corner_angle = 0.0;
-    double tolerance = 0.0;
-    uint32_t max_sweeps = 0;
-    uint32_t max_steps = 0;
-
-    gusset_outline_options get() const {
-        auto options = detail::sized<gusset_outline_options>();
-        options.curve = static_cast<uint32_t>(curve);
-        options.method = static_cast<uint32_t>(method);
-        options.lock = static_cast<uint32_t>(lock);
-        options.joint = static_cast<uint32_t>(joint);
-        options.solver = static_cast<uint32_t>(solver);
-        options.ends = static_cast<uint32_t>(ends);
-        options.alpha = alpha;
-        options.parameter_limit = parameter_limit;
-        options.repeat_tolerance = repeat_tolerance;
-        options.corner_angle = corner_angle;
-        options.tolerance = tolerance;
-        options.max_sweeps = max_sweeps;
-        options.max_steps = max_steps;
-        return options;
-    }
 };
 
 /// The curve of one outline: segment s is the Bézier curve of the control points ends[s] to
@@ -108,9 +74,11 @@ struct OutlineCurve {
 /// The curves through the points of outlines; see gusset_outline_create.
 class Outline {
 public:
+    /// Takes ownership of a handle of the C interface.
     explicit Outline(gusset_outline *owned) : outline_(owned) {}
+    /// See ::gusset_outline_create.
     explicit Outline(const Outlines &outlines, const OutlineOptions &options = {}, const Context &context = Context()) {
-        const gusset_outline_options given = options.get();
+        const gusset_outline_options given = detail::as_c(options);
         outline_.reset(context.result(gusset_outline_create, &outlines.get(), &given));
     }
     /// All arrays, valid as long as this lives.
@@ -156,6 +124,7 @@ public:
         return {all.parameters, all.point_count};
     }
     Span<const double> parameters() const && = delete;
+    /// The argument for the C interface, which this still owns.
     const gusset_outline *get() const noexcept { return outline_.get(); }
 
 private:
@@ -165,13 +134,11 @@ private:
 /// The section of each point with its two neighbours; see gusset_outlines_find_sections.
 class Sections {
 public:
-    explicit Sections(const Outlines &outlines, SectionMethod method = SectionMethod::bisector, double alpha = 0.5,
-                      const Context &context = Context())
-        : Sections(outlines, options_of(method, alpha), context) {}
     /// The method, alpha and the solver of the options are read.
-    explicit Sections(const Outlines &outlines, const OutlineOptions &options, const Context &context = Context())
+    explicit Sections(const Outlines &outlines, const OutlineOptions &options = {},
+                      const Context &context = Context())
         : controls_(outlines.get().point_count), parameters_(controls_.size()), statuses_(controls_.size()) {
-        const gusset_outline_options given = options.get();
+        const gusset_outline_options given = detail::as_c(options);
         context.call(gusset_outlines_find_sections, &outlines.get(), &given, detail::numbers(controls_.data()),
                      parameters_.data(), statuses_.data(), &steps_);
     }
@@ -188,12 +155,6 @@ public:
     Span<const uint8_t> statuses() const && = delete;
 
 private:
-    static OutlineOptions options_of(SectionMethod method, double alpha) {
-        OutlineOptions options;
-        options.method = method;
-        options.alpha = alpha;
-        return options;
-    }
     std::vector<Point3> controls_;
     std::vector<double> parameters_;
     std::vector<uint8_t> statuses_;

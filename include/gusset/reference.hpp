@@ -1,4 +1,5 @@
-// The paper's search on the logical scale, kept as a reference. Include gusset.hpp, not this.
+/// @file
+/// The paper's search on the logical scale, kept as a reference. Include gusset.hpp, not this.
 #ifndef GUSSET_REFERENCE_HPP
 #define GUSSET_REFERENCE_HPP
 

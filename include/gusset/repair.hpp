@@ -1,4 +1,5 @@
-// Welding, sewing and orienting. Include gusset.hpp, not this.
+/// @file
+/// Welding, sewing and orienting. Include gusset.hpp, not this.
 #ifndef GUSSET_REPAIR_HPP
 #define GUSSET_REPAIR_HPP
 
@@ -6,35 +7,13 @@
 
 namespace gusset {
 
-/// The options of welding; see gusset_weld_options.
-struct WeldOptions {
-    WeldVertices vertices = WeldVertices::boundary;
-    /// 0: equal positions. Empty: up to what rounding can have done to the positions.
-    std::optional<double> tolerance;
-    /// Corners of one face may become one.
-    bool collapse = false;
-    /// Vertices that no face uses are left out.
-    bool remove_unused = false;
-};
-
-namespace detail {
-inline gusset_weld_options as_c(const WeldOptions &options) {
-    auto given = detail::sized<gusset_weld_options>();
-    given.vertices = static_cast<uint32_t>(options.vertices);
-    given.tolerance_mode = options.tolerance ? GUSSET_TOLERANCE_GIVEN : GUSSET_TOLERANCE_AUTO;
-    given.tolerance = options.tolerance.value_or(0.0);
-    given.collapse = options.collapse ? GUSSET_COLLAPSE_ALLOW : GUSSET_COLLAPSE_NEVER;
-    given.unused = options.remove_unused ? GUSSET_UNUSED_REMOVE : GUSSET_UNUSED_KEEP;
-    return given;
-}
-} // namespace detail
-
 /// A mesh whose vertices that lie together are one; see gusset_weld.
 class Weld : public Result {
 public:
     /// The index of an element that is not in the result.
     static constexpr uint32_t none = UINT32_MAX;
 
+    /// See ::gusset_weld.
     explicit Weld(const MeshView &mesh, const WeldOptions &options = {}, const Context &context = Context()) {
         const gusset_weld_options given = detail::as_c(options);
         take(context.result(gusset_weld, &mesh.get(), &given));
@@ -71,6 +50,7 @@ public:
     /// The index of an element that is not in the result.
     static constexpr uint32_t none = UINT32_MAX;
 
+    /// See ::gusset_sew.
     explicit Sew(const MeshView &mesh, const WeldOptions &options = {}, const Context &context = Context()) {
         const gusset_weld_options given = detail::as_c(options);
         take(context.result(gusset_sew, &mesh.get(), &given));
@@ -108,9 +88,9 @@ private:
 /// A mesh whose faces agree with their neighbours; see gusset_orient.
 class Orient : public Result {
 public:
-    explicit Orient(const MeshView &mesh, Outward outward = Outward::keep, const Context &context = Context()) {
-        auto given = detail::sized<gusset_orient_options>();
-        given.outward = static_cast<uint32_t>(outward);
+    /// The faces of a mesh, turned over where they disagree.
+    explicit Orient(const MeshView &mesh, const OrientOptions &options = {}, const Context &context = Context()) {
+        const gusset_orient_options given = detail::as_c(options);
         take(context.result(gusset_orient, &mesh.get(), &given));
     }
 

@@ -1,4 +1,5 @@
-// Meshes that the library made. Include gusset.hpp, not this.
+/// @file
+/// Meshes that the library made. Include gusset.hpp, not this.
 #ifndef GUSSET_RESULT_HPP
 #define GUSSET_RESULT_HPP
 
@@ -11,12 +12,14 @@ namespace gusset {
 /// long as this, and are not lent by a temporary.
 class Result {
 public:
+    /// See ::gusset_result_get_mesh.
     MeshView mesh() const & { return MeshView(detail::lent(gusset_result_get_mesh, get())); }
     MeshView mesh() const && = delete;
     /// Where the vertices, corners and faces of the mesh come from.
     Origins origins(const Context &context = Context()) const {
         return Origins(context.result(gusset_result_origins_create, get()));
     }
+    /// The argument for the C interface, which this still owns.
     const gusset_result *get() const noexcept { return result_.get(); }
 
 protected:

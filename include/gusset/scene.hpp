@@ -1,4 +1,5 @@
-// Scenes: nets in nested groups. Include gusset.hpp, not this.
+/// @file
+/// Scenes: nets in nested groups. Include gusset.hpp, not this.
 #ifndef GUSSET_SCENE_HPP
 #define GUSSET_SCENE_HPP
 
@@ -26,7 +27,9 @@ using SceneInstance = gusset_scene_instance;
 /// threads.
 class Scene {
 public:
+    /// Takes ownership of a handle of the C interface.
     explicit Scene(gusset_scene *owned) : scene_(owned) {}
+    /// See ::gusset_scene_create.
     explicit Scene(const Context &context = Context()) : scene_(context.result(gusset_scene_create)) {}
     /// A scene of the nets between all bridges of a direction that run from side to side, in one
     /// group, which is entry 0.
@@ -53,6 +56,7 @@ public:
     void add_child(uint32_t group, uint32_t child, const Context &context = Context()) {
         context.call(gusset_scene_add_child, get(), group, child);
     }
+    /// See ::gusset_scene_remove_child.
     void remove_child(uint32_t group, uint32_t child, const Context &context = Context()) {
         context.call(gusset_scene_remove_child, get(), group, child);
     }
@@ -60,17 +64,20 @@ public:
     void remove(uint32_t entry, const Context &context = Context()) {
         context.call(gusset_scene_remove, get(), entry);
     }
+    /// See ::gusset_scene_set_entry.
     void set_transform(uint32_t entry, const Transform &transform, const Context &context = Context()) {
         auto given = detail::sized<gusset_scene_changes>();
         given.transform = &transform;
         context.call(gusset_scene_set_entry, get(), entry, &given);
     }
+    /// See ::gusset_scene_set_entry.
     void set_visible(uint32_t entry, bool visible, const Context &context = Context()) {
         auto given = detail::sized<gusset_scene_changes>();
         given.visibility = visible ? GUSSET_VISIBILITY_SHOW : GUSSET_VISIBILITY_HIDE;
         context.call(gusset_scene_set_entry, get(), entry, &given);
     }
 
+    /// See ::gusset_scene_get_entry.
     SceneEntry entry(uint32_t entry) const {
         const gusset_scene_entry_report found = detail::lent(gusset_scene_get_entry, get(), entry);
         return {static_cast<SceneEntryKind>(found.kind), found.transform, found.visible != 0, found.child_count};
@@ -100,6 +107,7 @@ public:
         return Net(context.result(gusset_scene_flatten_create, get(), options ? &given : nullptr));
     }
 
+    /// The argument for the C interface, which this still owns.
     gusset_scene *get() const noexcept { return scene_.get(); }
 
 private:

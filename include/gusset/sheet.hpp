@@ -1,22 +1,14 @@
-// Sheets: grids of patches. Include gusset.hpp, not this.
+/// @file
+/// Sheets: grids of patches. Include gusset.hpp, not this.
 #ifndef GUSSET_SHEET_HPP
 #define GUSSET_SHEET_HPP
 
 #include <gusset/frame.hpp>
 #include <gusset/reference.hpp>
+#include <gusset/surface_options.hpp>
 #include <gusset/surface_paths.hpp>
 
 namespace gusset {
-
-/// The interpolation of nodes. A closed direction ends with its first line again.
-struct SheetOptions {
-    /// Closed along columns: the last row is the first one again.
-    bool closed_u = false;
-    /// Closed along rows.
-    bool closed_v = false;
-    /// The interpolation scheme.
-    Scheme scheme = Scheme::six_tap;
-};
 
 /// Nodes in memory that belongs to someone else, which must outlive the calls that read it; see
 /// gusset_nodes.
@@ -25,7 +17,7 @@ public:
     /// Row after row: any container that keeps its elements side by side, whose first bytes are
     /// three floats or doubles.
     template <class Container>
-    NodesView(std::size_t rows, std::size_t columns, const Container &points, const SheetOptions &options = {}) {
+    NodesView(std::size_t rows, std::size_t columns, const Container &points, const NodesOptions &options = {}) {
         using Point = std::remove_cv_t<std::remove_reference_t<decltype(*std::data(points))>>;
         using T = typename detail::PointTraits3<Point>::Scalar;
         if (columns != 0 && (rows > std::size(points) / columns || rows * columns != std::size(points))) {
@@ -38,27 +30,26 @@ public:
     /// gaps.
     template <class T>
     static NodesView strided(std::size_t rows, std::size_t columns, const T *first, std::size_t row_stride,
-                             std::size_t column_stride, const SheetOptions &options = {}) {
+                             std::size_t column_stride, const NodesOptions &options = {}) {
         NodesView view;
         view.fill<T>(rows, columns, first, options);
         view.nodes_.row_stride = detail::stride_in_bytes<T>(row_stride);
         view.nodes_.column_stride = detail::stride_in_bytes<T>(column_stride);
         return view;
     }
+    /// The argument for the C interface, which this still owns.
     const gusset_nodes &get() const noexcept { return nodes_; }
 
 private:
     NodesView() = default;
     template <class T>
-    void fill(std::size_t rows, std::size_t columns, const void *first, const SheetOptions &options) {
+    void fill(std::size_t rows, std::size_t columns, const void *first, const NodesOptions &options) {
         static_assert(std::is_same_v<T, float> || std::is_same_v<T, double>, "nodes of float or double");
+        nodes_ = detail::as_c(options);
         nodes_.nodes = first;
         nodes_.rows = rows;
         nodes_.columns = columns;
         nodes_.scalar = std::is_same_v<T, float> ? GUSSET_F32 : GUSSET_F64;
-        nodes_.scheme = static_cast<gusset_scheme>(options.scheme);
-        nodes_.closed_u = options.closed_u ? 1 : 0;
-        nodes_.closed_v = options.closed_v ? 1 : 0;
     }
     gusset_nodes nodes_ = detail::sized<gusset_nodes>();
 };
@@ -75,26 +66,6 @@ struct SplineAxis {
     bool closed = false;
 };
 
-/// How a rational B-spline becomes a sheet; see gusset_spline.
-struct SplineOptions {
-    /// How far the sheet may be from it, a length; 0: 1e-12 of the size.
-    double tolerance = 0.0;
-    /// The most cells; 0: 2^20.
-    std::size_t max_cells = 0;
-};
-
-/// A net of curves; see gusset_curve_net. The curves must outlive the call that reads this.
-struct CurveNet {
-    /// Curves in v, one after the other in u; or none.
-    Span<const Curve> rows;
-    /// Curves in u, one after the other in v; or none.
-    Span<const Curve> columns;
-    /// The largest distance of curves that meet; 0: 1e-6 of the diagonal of their box.
-    double tolerance = 0.0;
-    bool closed_u = false;
-    bool closed_v = false;
-};
-
 /// Numbers for each cell, row after row; see gusset_cell_arrays.
 struct SheetEstimates {
     /// An estimate of the distance from the smooth surface that the nodes were taken from.
@@ -107,16 +78,21 @@ struct SheetEstimates {
 
 /// Bounds of the diameters of cells, row after row; see gusset_cell_arrays.
 struct CellDiameters {
-    /// For each cell a bound of the distance of two of its points, in space and within the cell.
-    std::vector<double> euclidean, intrinsic;
-    /// The largest of each.
-    double max_euclidean, max_intrinsic;
+    /// For each cell a bound of the distance of two of its points in space.
+    std::vector<double> euclidean;
+    /// For each cell a bound of the distance of two of its points within the cell.
+    std::vector<double> intrinsic;
+    /// The largest of `euclidean`.
+    double max_euclidean;
+    /// The largest of `intrinsic`.
+    double max_intrinsic;
 };
 
 /// A sheet: rows and columns of cells, each a Bézier patch. Immutable; may be used from many
 /// threads.
 class Sheet {
 public:
+    /// Takes ownership of a handle of the C interface.
     explicit Sheet(gusset_sheet *owned) : sheet_(owned) {}
 
     /// Through a copy of nodes.
@@ -127,14 +103,14 @@ public:
     /// first bytes are three floats or doubles.
     template <class Container>
     static Sheet from_nodes(std::size_t rows, std::size_t columns, const Container &points,
-                            const SheetOptions &options = {}, const Context &context = Context()) {
+                            const NodesOptions &options = {}, const Context &context = Context()) {
         return from_nodes(NodesView(rows, columns, points, options), context);
     }
     /// Through nodes in the caller's own memory, of doubles, which must stay valid and unchanged
     /// until the sheet and everything made of it are gone. See gusset_sheet_create.
     template <class Container>
     static Sheet borrow(std::size_t rows, std::size_t columns, const Container &points,
-                        const SheetOptions &options = {}, const Context &context = Context()) {
+                        const NodesOptions &options = {}, const Context &context = Context()) {
         using T = std::decay_t<decltype((*std::data(points))[0])>;
         static_assert(std::is_same_v<T, double>, "nodes that are borrowed are of double");
         return through(NodesView(rows, columns, points, options), nullptr, 1, context);
@@ -142,7 +118,7 @@ public:
     /// x, y, z of node (i, j) are at first + i * row_stride + j * column_stride, in numbers; 0: no
     /// gaps.
     static Sheet borrow(std::size_t rows, std::size_t columns, const double *first, std::size_t row_stride,
-                        std::size_t column_stride, const SheetOptions &options = {},
+                        std::size_t column_stride, const NodesOptions &options = {},
                         const Context &context = Context()) {
         return through(NodesView::strided(rows, columns, first, row_stride, column_stride, options), nullptr, 1,
                        context);
@@ -150,7 +126,7 @@ public:
     /// A temporary cannot be borrowed, unless it is a span, which owns nothing.
     template <class Container,
               class = std::enable_if_t<!std::is_lvalue_reference_v<Container> && !detail::is_span<Container>>>
-    static Sheet borrow(std::size_t rows, std::size_t columns, Container &&points, const SheetOptions &options = {},
+    static Sheet borrow(std::size_t rows, std::size_t columns, Container &&points, const NodesOptions &options = {},
                         const Context &context = Context()) = delete;
 
     /// With given tangents, one for each node, row after row.
@@ -196,8 +172,10 @@ public:
         }
         return spline(points, weights, u, v, options, context);
     }
-    /// The Gordon surface of a net of curves, or the skin of a row of them.
-    static Sheet from_curves(const CurveNet &net, const Context &context = Context()) {
+    /// The Gordon surface of a net of curves, or the skin of a row of them. `rows`: curves in v, one after the other in
+    /// u; `columns`: curves in u, one after the other in v. Either may be empty.
+    static Sheet from_curves(Span<const Curve> rows, Span<const Curve> columns, const CurveNetOptions &options = {},
+                             const Context &context = Context()) {
         const auto handles = [](Span<const Curve> curves) {
             std::vector<const gusset_curve *> list;
             for (const Curve &curve : curves) {
@@ -205,15 +183,12 @@ public:
             }
             return list;
         };
-        const std::vector<const gusset_curve *> rows = handles(net.rows), columns = handles(net.columns);
-        auto given = detail::sized<gusset_curve_net>();
-        given.rows = rows.data();
-        given.row_count = rows.size();
-        given.columns = columns.data();
-        given.column_count = columns.size();
-        given.tolerance = net.tolerance;
-        given.closed_u = net.closed_u ? 1 : 0;
-        given.closed_v = net.closed_v ? 1 : 0;
+        const std::vector<const gusset_curve *> in_v = handles(rows), in_u = handles(columns);
+        gusset_curve_net given = detail::as_c(options);
+        given.rows = in_v.data();
+        given.row_count = in_v.size();
+        given.columns = in_u.data();
+        given.column_count = in_u.size();
         return Sheet(context.result(gusset_sheet_from_curves_create, &given));
     }
     /// From the frame of an outline.
@@ -232,7 +207,9 @@ public:
         return offset({&distance, 1}, deviation, context);
     }
 
+    /// The argument for the C interface, which this still owns.
     const gusset_sheet *get() const noexcept { return sheet_.get(); }
+    /// See ::gusset_sheet_get_report.
     gusset_sheet_report report() const { return detail::lent(gusset_sheet_get_report, get()); }
     /// For a sheet of a B-spline: the parameters of the borders of its rows, or of its columns, valid
     /// as long as the sheet. Any other sheet has none.
@@ -369,7 +346,7 @@ private:
         if (v.count != 0 && (u.count > points.size() / v.count || u.count * v.count != points.size())) {
             throw std::invalid_argument("gusset: the number of control points is not u.count * v.count");
         }
-        auto given = detail::sized<gusset_spline>();
+        gusset_spline given = detail::as_c(options);
         given.points = detail::numbers(points.data());
         given.count_u = u.count;
         given.count_v = v.count;
@@ -382,8 +359,6 @@ private:
         given.closed_u = u.closed ? 1 : 0;
         given.closed_v = v.closed ? 1 : 0;
         given.weights = weights.data();
-        given.tolerance = options.tolerance;
-        given.max_cells = options.max_cells;
         return Sheet(context.result(gusset_sheet_from_spline_create, &given));
     }
     static Sheet hermite(const NodesView &nodes, Points u, Points v, gusset_twists kind, Points twists,

@@ -1,4 +1,5 @@
-// Meshes of sheets. Include gusset.hpp, not this.
+/// @file
+/// Meshes of sheets. Include gusset.hpp, not this.
 #ifndef GUSSET_SHEET_MESH_HPP
 #define GUSSET_SHEET_MESH_HPP
 
@@ -7,26 +8,13 @@
 
 namespace gusset {
 
-/// The options of the mesh of a sheet; see gusset_sheet_mesh_options.
-struct SheetMeshOptions {
-    /// The largest distance of triangles from the surface; 0: no limit.
-    double tolerance = 0.0;
-    /// The smallest number of parts of each cell.
-    uint32_t min_u = 1, min_v = 1;
-    /// Triangles only; else quads, and triangles at poles.
-    bool triangles = false;
-};
-
 /// The mesh of a sheet; see gusset_sheet_to_mesh. It keeps nothing of the sheet; views and
 /// spans live as long as this, and are not lent by a temporary.
 class SheetMesh : public Result {
 public:
+    /// See ::gusset_sheet_to_mesh.
     explicit SheetMesh(const Sheet &sheet, const SheetMeshOptions &options = {}, const Context &context = Context()) {
-        auto given = detail::sized<gusset_sheet_mesh_options>();
-        given.tolerance = options.tolerance;
-        given.min_u = options.min_u;
-        given.min_v = options.min_v;
-        given.triangles = options.triangles ? 1 : 0;
+        const gusset_sheet_mesh_options given = detail::as_c(options);
         take(context.result(gusset_sheet_to_mesh, sheet.get(), &given));
     }
 

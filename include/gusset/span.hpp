@@ -1,9 +1,11 @@
-// Runs of elements in memory that belongs to someone else. Include gusset.hpp, not this.
+/// @file
+/// Runs of elements in memory that belongs to someone else. Include gusset.hpp, not this.
 #ifndef GUSSET_SPAN_HPP
 #define GUSSET_SPAN_HPP
 
 #include <gusset/choices.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -12,6 +14,7 @@
 #include <optional>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace gusset {
 
@@ -28,11 +31,17 @@ public:
                                    decltype(std::data(std::declval<Container &>())), T *>>>
     Span(Container &&container) : Span(std::data(container), std::size(container)) {}
 
+    /// The first element.
     T *data() const noexcept { return data_; }
+    /// The number of elements.
     std::size_t size() const noexcept { return size_; }
+    /// True if the range has no elements.
     bool empty() const noexcept { return size_ == 0; }
+    /// As in the standard library.
     T &operator[](std::size_t i) const { return data_[i]; }
+    /// The first element.
     T *begin() const noexcept { return data_; }
+    /// The end of the range.
     T *end() const noexcept { return data_ + size_; }
 
 private:
@@ -45,7 +54,9 @@ private:
 template <class Wrapper, class Data>
 class Values {
 public:
+    /// The type of the elements.
     using value_type = Wrapper;
+    /// The type of iterators.
     class iterator {
         struct Arrow {
             Wrapper value;
@@ -53,25 +64,38 @@ public:
         };
 
     public:
+        /// As the standard library requires of iterators.
         using iterator_category = std::input_iterator_tag;
+        /// The type of the elements.
         using value_type = Wrapper;
+        /// As the standard library requires of iterators.
         using difference_type = std::ptrdiff_t;
+        /// As the standard library requires of iterators.
         using pointer = Arrow;
+        /// As the standard library requires of iterators.
         using reference = Wrapper;
+        /// No place.
         iterator() = default;
+        /// The place of a structure.
         explicit iterator(const Data *at) : at_(at) {}
+        /// As in the standard library.
         Wrapper operator*() const { return Wrapper(*at_); }
+        /// As in the standard library.
         Arrow operator->() const { return {Wrapper(*at_)}; }
+        /// As in the standard library.
         iterator &operator++() {
             ++at_;
             return *this;
         }
+        /// As in the standard library.
         iterator operator++(int) {
             iterator old = *this;
             ++at_;
             return old;
         }
+        /// As in the standard library.
         friend bool operator==(const iterator &a, const iterator &b) { return a.at_ == b.at_; }
+        /// As in the standard library.
         friend bool operator!=(const iterator &a, const iterator &b) { return a.at_ != b.at_; }
 
     private:
@@ -85,11 +109,15 @@ public:
 
     /// The structures themselves.
     const Data *data() const noexcept { return data_.data(); }
+    /// The number of elements.
     std::size_t size() const noexcept { return data_.size(); }
+    /// True if the range has no elements.
     bool empty() const noexcept { return data_.empty(); }
     /// Element `i` < size().
     Wrapper operator[](std::size_t i) const { return Wrapper(data_[i]); }
+    /// The first element.
     iterator begin() const { return iterator(data_.begin()); }
+    /// The end of the range.
     iterator end() const { return iterator(data_.end()); }
 
 private:
@@ -129,6 +157,20 @@ struct PointTraits3 : PointTraits<Point> {
 template <class Argument>
 inline constexpr bool is_temporary =
     !std::is_lvalue_reference_v<Argument> && !std::is_trivially_destructible_v<std::remove_reference_t<Argument>>;
+
+/// A C structure that says how large it is, and whose other fields are 0.
+template <class T>
+T sized() {
+    T made{};
+    made.struct_size = sizeof made;
+    return made;
+}
+
+/// The first element; NULL if there is none.
+template <class T>
+const T *first(const std::vector<T> &list) {
+    return list.empty() ? nullptr : list.data();
+}
 
 inline Indices indices(const gusset_indices &lent) { return {lent.data, lent.count}; }
 /// The pairs of faces that a view has, if they were looked for.

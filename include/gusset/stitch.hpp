@@ -1,71 +1,21 @@
-// Stitching of meshes. Include gusset.hpp, not this.
+/// @file
+/// Stitching of meshes. Include gusset.hpp, not this.
 #ifndef GUSSET_STITCH_HPP
 #define GUSSET_STITCH_HPP
 
-#include <gusset/attributes.hpp>
-#include <gusset/facing.hpp>
-#include <gusset/mesh.hpp>
-#include <gusset/strip.hpp>
+#include <gusset/result.hpp>
 
 namespace gusset {
-
-/// The options of stitching; see gusset_stitch_options.
-struct StitchOptions {
-    Meridians meridians = Meridians::continuation;
-    Orientation orientation = Orientation::fix;
-    int64_t twist = 0;
-    StitchExtent extent = StitchExtent::whole_loops;
-    FacingRun run = FacingRun::closest;
-    StripRows rows;
-    StripCells cells = StripCells::triangles;
-    /// Empty: a bound of rounding errors.
-    std::optional<double> tolerance;
-    /// For StitchExtent::arcs.
-    LoopArc arc_a, arc_b;
-    StripSearch search = StripSearch::automatic;
-    StripStart start = StripStart::automatic;
-    Fairing fairing = Fairing::none;
-    Intersections intersections = Intersections::automatic;
-    Centres centres = Centres::vertices;
-    Outward outward = Outward::keep;
-    Finish finish = Finish::strip;
-};
-
-namespace detail {
-inline gusset_stitch_options as_c(const StitchOptions &options) {
-    auto given = detail::sized<gusset_stitch_options>();
-    given.meridians = static_cast<uint32_t>(options.meridians);
-    given.orientation = static_cast<uint32_t>(options.orientation);
-    given.twist = options.twist;
-    given.extent = static_cast<uint32_t>(options.extent);
-    given.run = static_cast<uint32_t>(options.run);
-    given.rows = options.rows.mode;
-    given.row_count = options.rows.count;
-    given.cells = static_cast<uint32_t>(options.cells);
-    given.tolerance_mode = options.tolerance ? GUSSET_TOLERANCE_GIVEN : GUSSET_TOLERANCE_AUTO;
-    given.tolerance = options.tolerance.value_or(0.0);
-    given.arc_a[0] = options.arc_a.first;
-    given.arc_a[1] = options.arc_a.count;
-    given.arc_b[0] = options.arc_b.first;
-    given.arc_b[1] = options.arc_b.count;
-    given.search = static_cast<uint32_t>(options.search);
-    given.start = static_cast<uint32_t>(options.start);
-    given.fairing = static_cast<uint32_t>(options.fairing);
-    given.intersections = static_cast<uint32_t>(options.intersections);
-    given.centres = static_cast<uint32_t>(options.centres);
-    given.outward = static_cast<uint32_t>(options.outward);
-    given.finish = static_cast<uint32_t>(options.finish);
-    return given;
-}
-} // namespace detail
 
 /// A finished stitch: the whole mesh, the strip, and the maps of the inputs into it. Made by
 /// stitch() and stitch_within().
 class Stitch : public Result {
 public:
+    /// See ::gusset_result_get_strip_mesh.
     MeshView strip() const & { return MeshView(detail::lent(gusset_result_get_strip_mesh, get())); }
     MeshView strip() const && = delete;
 
+    /// See ::gusset_result_get_quality.
     gusset_quality_report quality() const { return detail::lent(gusset_result_get_quality, get()); }
 
     /// Of each old vertex of mesh 0 or 1 its index in the result.

@@ -1,4 +1,5 @@
-// Meridians and strips between polylines. Include gusset.hpp, not this.
+/// @file
+/// Meridians and strips between polylines. Include gusset.hpp, not this.
 #ifndef GUSSET_STRIP_HPP
 #define GUSSET_STRIP_HPP
 
@@ -14,41 +15,13 @@ inline std::vector<uint32_t> meridians_index(uint32_t n, uint32_t m) {
     });
 }
 
-/// Interior rows: none, by the mean edge, or a number.
-struct StripRows {
-    uint32_t mode = GUSSET_ROWS_NONE;
-    /// Their number, for GUSSET_ROWS_COUNT.
-    uint32_t count = 0;
-    /// No interior rows.
-    static StripRows none() { return {}; }
-    /// As many as make edges across the strip about as long as those along it.
-    static StripRows mean_edge() { return {GUSSET_ROWS_MEAN_EDGE, 0}; }
-    /// A given number of rows.
-    static StripRows exactly(uint32_t count) { return {GUSSET_ROWS_COUNT, count}; }
-};
-
-/// The options of strips between polylines; see gusset_strip_options.
-struct StripOptions {
-    Meridians meridians = Meridians::continuation;
-    StripSearch search = StripSearch::automatic;
-    StripStart start = StripStart::automatic;
-    StripRows rows;
-    StripCells cells = StripCells::triangles;
-};
-
 /// A strip between two polylines that belong to no mesh; see gusset_strip. Its mesh has the points of a, those of b, then
 /// the new ones row by row, and the faces between them.
 class Strip : public Result {
 public:
-    Strip(Points a, Points b, bool closed, const StripOptions &options = {}, const Context &context = Context()) {
-        auto given = detail::sized<gusset_strip_options>();
-        given.meridians = static_cast<uint32_t>(options.meridians);
-        given.search = static_cast<uint32_t>(options.search);
-        given.start = static_cast<uint32_t>(options.start);
-        given.closed = closed ? 1 : 0;
-        given.rows = options.rows.mode;
-        given.row_count = options.rows.count;
-        given.cells = static_cast<uint32_t>(options.cells);
+    /// The strip between two polylines.
+    Strip(Points a, Points b, const StripOptions &options = {}, const Context &context = Context()) {
+        const gusset_strip_options given = detail::as_c(options);
         take(context.result(gusset_strip, detail::numbers(a.data()), a.size(),
                                     detail::numbers(b.data()), b.size(), &given));
     }

@@ -175,10 +175,16 @@ typedef struct gusset_nodes {
     size_t column_stride;
     /// Type of coordinates.
     gusset_scalar scalar;
+    /// Interpolation through nodes.
+    /// @option
     gusset_scheme scheme;
     /// 1: closed in u; the last row repeats the first.
+    /// @option
+    /// @flag
     uint32_t closed_u;
     /// 1: closed in v; the last column repeats the first.
+    /// @option
+    /// @flag
     uint32_t closed_v;
 } gusset_nodes;
 
@@ -773,15 +779,19 @@ typedef struct gusset_spline {
     /// 1 to 7.
     uint32_t degree_v;
     /// 1: closed in u.
+    /// @flag
     uint32_t closed_u;
     /// 1: closed in v.
+    /// @flag
     uint32_t closed_v;
     /// Weights of the control points, finite, above 0, at least 2^-900 of the greatest; NULL: all equal.
     const double *weights;
     /// Largest distance from a rational spline at equal parameters. Rounding requires about 1e-13 of the size. 0: 1e-12
     /// of the control points' box diagonal, or more where rounding requires it.
+    /// @option
     double tolerance;
     /// Maximum number of cells of a rational spline; 0: 2^20.
+    /// @option
     size_t max_cells;
 } gusset_spline;
 
@@ -798,10 +808,15 @@ typedef struct gusset_curve_net {
     size_t column_count;
     /// Largest distance between two curves where they meet, finite; both move to the middle. 0: 1e-6 of the curves' box
     /// diagonal.
+    /// @option
     double tolerance;
     /// 1: the columns are closed, and the first row follows the last.
+    /// @option
+    /// @flag
     uint32_t closed_u;
     /// 1: the rows are closed, and the first column follows the last.
+    /// @option
+    /// @flag
     uint32_t closed_v;
 } gusset_curve_net;
 

@@ -1,4 +1,5 @@
-// Smooth surfaces and their queries. Include gusset.hpp, not this.
+/// @file
+/// Smooth surfaces and their queries. Include gusset.hpp, not this.
 #ifndef GUSSET_SURFACE_HPP
 #define GUSSET_SURFACE_HPP
 
@@ -8,55 +9,8 @@
 
 namespace gusset {
 
-/// The points of a curve between its crossings of cell edges; see gusset_contour_options.
-class PointSpacing {
-public:
-    /// Points that keep chords within 1e-4 of the diagonal of the surface's box.
-    PointSpacing() = default;
-    /// Points that keep chords within a length.
-    static PointSpacing chord(double length) { return {GUSSET_POINT_SPACING_CHORD, length, 0}; }
-    /// The crossings of cell edges alone.
-    static PointSpacing cell_edges() { return {GUSSET_POINT_SPACING_CELL_EDGES, 0.0, 0}; }
-    /// A number of points of the paper's cubics.
-    static PointSpacing leus(uint32_t points) { return {GUSSET_POINT_SPACING_LEUS, 0.0, points}; }
-
-    /// Writes the spacing into options of the C interface.
-    template <class Options>
-    void write(Options &options) const noexcept {
-        options.spacing = kind_;
-        options.chord = chord_;
-    }
-    /// As the C interface takes it for contours.
-    gusset_contour_options as_c() const {
-        auto given = detail::sized<gusset_contour_options>();
-        write(given);
-        given.points = points_;
-        return given;
-    }
-
-private:
-    PointSpacing(gusset_spacing_rule kind, double chord, uint32_t points)
-        : kind_(kind), chord_(chord), points_(points) {}
-    gusset_spacing_rule kind_ = GUSSET_POINT_SPACING_AUTO;
-    double chord_ = 0.0;
-    uint32_t points_ = 0;
-};
-
 /// One side: a normal differs from its opposite. Both: they are the same.
 enum class NormalSide : uint32_t { one = 0, both = 1 };
-
-/// The time at which the cones of normals are built: by the first query of angles, or with the
-/// surface.
-enum class NormalCones : uint32_t { lazy = 0, eager = 1 };
-
-/// The options of intersections; see gusset_intersection_options.
-struct IntersectionOptions {
-    /// The points of the curves; PointSpacing::leus is refused.
-    PointSpacing spacing;
-    /// Surfaces no farther apart touch, or no deeper in each other; 0: the smaller tolerance of the
-    /// two, by which branches are found anyway.
-    double tolerance = 0.0;
-};
 
 /// A point of a surface with derivatives, normal and curvatures; see gusset_surface_point.
 using SurfacePoint = gusset_surface_point;
@@ -65,25 +19,22 @@ using SurfacePoint = gusset_surface_point;
 /// the same time. It keeps what it needs of its sheets.
 class Surface {
 public:
+    /// Takes ownership of a handle of the C interface.
     explicit Surface(gusset_surface *owned) : surface_(owned) {}
-    /// `tolerance`: a length, to which answers are proved; 0: 1e-9 of the diagonal of the surface's
-    /// box.
-    explicit Surface(Span<const Sheet> sheets, double tolerance = 0.0, const Context &context = Context(),
-                     NormalCones cones = NormalCones::lazy) {
+    /// The index of sheets.
+    explicit Surface(Span<const Sheet> sheets, const SurfaceOptions &options = {}, const Context &context = Context()) {
         std::vector<const gusset_sheet *> handles;
         for (const Sheet &sheet : sheets) {
             handles.push_back(sheet.get());
         }
-        auto given = detail::sized<gusset_surface_options>();
-        given.tolerance = tolerance;
-        given.cones = static_cast<uint32_t>(cones);
+        const gusset_surface_options given = detail::as_c(options);
         surface_.reset(context.result(gusset_surface_create, handles.data(), handles.size(), &given));
     }
     /// The index of one sheet.
-    explicit Surface(const Sheet &sheet, double tolerance = 0.0, const Context &context = Context(),
-                     NormalCones cones = NormalCones::lazy)
-        : Surface(Span<const Sheet>(&sheet, 1), tolerance, context, cones) {}
+    explicit Surface(const Sheet &sheet, const SurfaceOptions &options = {}, const Context &context = Context())
+        : Surface(Span<const Sheet>(&sheet, 1), options, context) {}
 
+    /// The argument for the C interface, which this still owns.
     const gusset_surface *get() const noexcept { return surface_.get(); }
     /// Its numbers of sheets and cells, and its box.
     gusset_surface_report report() const { return detail::lent(gusset_surface_get_report, get()); }
@@ -171,41 +122,41 @@ public:
     }
 
     /// The section by the plane through a point across a normal.
-    SurfacePaths section(const Point3 &point, const Point3 &normal, const PointSpacing &spacing = {},
+    SurfacePaths section(const Point3 &point, const Point3 &normal, const ContourOptions &options = {},
                          const Context &context = Context()) const {
         const double here = 0.0;
-        return sections(point, normal, {&here, 1}, spacing, context);
+        return sections(point, normal, {&here, 1}, options, context);
     }
     /// The sections by parallel planes, at increasing distances from the point along the normal.
     SurfacePaths sections(const Point3 &point, const Point3 &normal, Span<const double> offsets,
-                          const PointSpacing &spacing = {}, const Context &context = Context()) const {
+                          const ContourOptions &options = {}, const Context &context = Context()) const {
         gusset_contour_function height = function_of(GUSSET_CONTOUR_HEIGHT);
         std::copy(point.begin(), point.end(), height.point);
         std::copy(normal.begin(), normal.end(), height.direction);
-        return contours(height, offsets, spacing, context);
+        return contours(height, offsets, options, context);
     }
     /// The contours of values given at the corners of all cells.
-    SurfacePaths contours(Span<const double> values, Span<const double> levels, const PointSpacing &spacing = {},
+    SurfacePaths contours(Span<const double> values, Span<const double> levels, const ContourOptions &options = {},
                           const Context &context = Context()) const {
         gusset_contour_function given = function_of(GUSSET_CONTOUR_VALUES);
         given.values = values.data();
         given.value_count = values.size();
-        return contours(given, levels, spacing, context);
+        return contours(given, levels, options, context);
     }
     /// The curves along which the normal makes given angles with a direction, in radians and
     /// increasing.
     SurfacePaths isophotes(const Point3 &direction, Span<const double> angles, NormalSide side = NormalSide::one,
-                           const PointSpacing &spacing = {}, const Context &context = Context()) const {
+                           const ContourOptions &options = {}, const Context &context = Context()) const {
         gusset_contour_function angle = function_of(GUSSET_CONTOUR_ANGLE);
         std::copy(direction.begin(), direction.end(), angle.direction);
         angle.unsigned_normals = static_cast<uint32_t>(side);
-        return contours(angle, angles, spacing, context);
+        return contours(angle, angles, options, context);
     }
     /// The silhouettes of the surface seen along a direction.
-    SurfacePaths silhouette(const Point3 &direction, const PointSpacing &spacing = {},
+    SurfacePaths silhouette(const Point3 &direction, const ContourOptions &options = {},
                             const Context &context = Context()) const {
         const double right = 1.57079632679489661923;
-        return isophotes(direction, {&right, 1}, NormalSide::one, spacing, context);
+        return isophotes(direction, {&right, 1}, NormalSide::one, options, context);
     }
     /// The point whose normal makes the angle with a direction that is nearest to a given one.
     gusset_nearest_angle_report nearest_angle(const Point3 &direction, double angle, NormalSide side = NormalSide::one,
@@ -272,15 +223,13 @@ private:
                                           static_cast<gusset_hit_selection>(selection)));
     }
     SurfacePaths contours(const gusset_contour_function &function, Span<const double> levels,
-                          const PointSpacing &spacing, const Context &context) const {
-        const gusset_contour_options given = spacing.as_c();
+                          const ContourOptions &options, const Context &context) const {
+        const gusset_contour_options given = detail::as_c(options);
         return SurfacePaths(context.result(gusset_surface_contours_create, get(), &function, levels.data(),
                                            levels.size(), &given));
     }
     SurfacePaths meet(const gusset_surface *other, const IntersectionOptions &options, const Context &context) const {
-        auto given = detail::sized<gusset_intersection_options>();
-        options.spacing.write(given);
-        given.tolerance = options.tolerance;
+        const gusset_intersection_options given = detail::as_c(options);
         return SurfacePaths(context.result(gusset_surface_intersection_create, get(), other, &given));
     }
 

@@ -1,4 +1,5 @@
-// Lines, and their intersections with surfaces. Include gusset.hpp, not this.
+/// @file
+/// Lines, and their intersections with surfaces. Include gusset.hpp, not this.
 #ifndef GUSSET_SURFACE_HITS_HPP
 #define GUSSET_SURFACE_HITS_HPP
 
@@ -52,9 +53,12 @@ using Hits = Values<Hit, gusset_surface_hit>;
 /// surface. Hits and spans live as long as this, and are not lent by a temporary.
 class SurfaceHits {
 public:
+    /// The type of the elements.
     using value_type = Hits;
+    /// The type of iterators.
     using iterator = detail::Iterator<SurfaceHits>;
 
+    /// Takes ownership of a handle of the C interface.
     explicit SurfaceHits(gusset_surface_hits *owned) : hits_(owned) {}
 
     /// The number of lines; 1 for a curve.
@@ -69,8 +73,10 @@ public:
         return {all.hits + from, static_cast<std::size_t>(all.ends[i + 1]) - from};
     }
     Hits operator[](std::size_t i) const && = delete;
+    /// The first element.
     iterator begin() const & { return {this, 0}; }
     iterator begin() const && = delete;
+    /// The end of the range.
     iterator end() const & { return {this, size()}; }
     iterator end() const && = delete;
 

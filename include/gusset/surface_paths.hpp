@@ -1,4 +1,5 @@
-// Places on surfaces, and curves of them. Include gusset.hpp, not this.
+/// @file
+/// Places on surfaces, and curves of them. Include gusset.hpp, not this.
 #ifndef GUSSET_SURFACE_PATHS_HPP
 #define GUSSET_SURFACE_PATHS_HPP
 
@@ -30,6 +31,7 @@ struct SurfacePath {
     /// The index of its plane, level or angle.
     uint32_t level;
 
+    /// The number of elements.
     std::size_t size() const noexcept { return points.size(); }
 };
 
@@ -37,12 +39,17 @@ struct SurfacePath {
 /// the surface. Spans live as long as this, and are not lent by a temporary.
 class SurfacePaths {
 public:
+    /// The type of the elements.
     using value_type = SurfacePath;
+    /// The type of iterators.
     using iterator = detail::Iterator<SurfacePaths>;
 
+    /// Takes ownership of a handle of the C interface.
     explicit SurfacePaths(gusset_surface_paths *owned) : paths_(owned) {}
 
+    /// The number of elements.
     std::size_t size() const { return view().path_count; }
+    /// True if the range has no elements.
     bool empty() const { return size() == 0; }
     /// Path `i`; throws std::out_of_range.
     SurfacePath operator[](std::size_t i) const & {
@@ -59,8 +66,10 @@ public:
                 all.levels[i]};
     }
     SurfacePath operator[](std::size_t i) const && = delete;
+    /// The first element.
     iterator begin() const & { return {this, 0}; }
     iterator begin() const && = delete;
+    /// The end of the range.
     iterator end() const & { return {this, size()}; }
     iterator end() const && = delete;
 

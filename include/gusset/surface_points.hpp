@@ -1,8 +1,10 @@
-// Nearest points of surfaces, and cells. Include gusset.hpp, not this.
+/// @file
+/// Nearest points of surfaces, and cells. Include gusset.hpp, not this.
 #ifndef GUSSET_SURFACE_POINTS_HPP
 #define GUSSET_SURFACE_POINTS_HPP
 
 #include <gusset/context.hpp>
+#include <gusset/surface_options.hpp>
 
 #include <algorithm>
 
@@ -36,40 +38,30 @@ struct SurfaceDistance : gusset_distance_report {
     bool meets() const noexcept { return (flags & GUSSET_DISTANCE_MEETS) != 0; }
 };
 
-/// The options of searches for nearest points; see gusset_nearest_options.
-struct NearestOptions {
-    /// No point farther than this; 0: no limit.
-    double limit = 0.0;
-    /// For minima: the number of the nearest that are wanted; 0: all.
-    std::size_t max_count = 0;
-};
-
-namespace detail {
-inline gusset_nearest_options as_c(const NearestOptions &options) {
-    auto given = detail::sized<gusset_nearest_options>();
-    given.limit = options.limit;
-    given.max_count = options.max_count;
-    return given;
-}
-} // namespace detail
-
 /// Local minima of the distance, the nearest first: a range of NearestPoint; see
 /// gusset_surface_minima_create. It keeps nothing of the surface. Points and iterators live as long
 /// as this, and are not lent by a temporary.
 class SurfacePoints {
 public:
+    /// The type of the elements.
     using value_type = NearestPoint;
+    /// The type of iterators.
     using iterator = NearestPoints::iterator;
 
+    /// Takes ownership of a handle of the C interface.
     explicit SurfacePoints(gusset_surface_points *owned) : points_(owned) {}
 
+    /// The number of elements.
     std::size_t size() const { return view().count; }
+    /// True if the range has no elements.
     bool empty() const { return size() == 0; }
     /// The points, the nearest first.
     NearestPoints points() const & { return all(); }
     NearestPoints points() const && = delete;
+    /// The first element.
     iterator begin() const & { return all().begin(); }
     iterator begin() const && = delete;
+    /// The end of the range.
     iterator end() const & { return all().end(); }
     iterator end() const && = delete;
     /// Point `i`; throws std::out_of_range.
@@ -102,12 +94,17 @@ using SurfaceCell = gusset_surface_cell;
 /// iterators live as long as this, and are not lent by a temporary.
 class SurfaceCells {
 public:
+    /// The type of the elements.
     using value_type = SurfaceCell;
+    /// The type of iterators.
     using iterator = const SurfaceCell *;
 
+    /// Takes ownership of a handle of the C interface.
     explicit SurfaceCells(gusset_surface_cells *owned) : cells_(owned) {}
 
+    /// The number of elements.
     std::size_t size() const { return view().cell_count; }
+    /// True if the range has no elements.
     bool empty() const { return size() == 0; }
     /// Cell `i`; throws std::out_of_range.
     SurfaceCell operator[](std::size_t i) const {
@@ -117,8 +114,10 @@ public:
         }
         return all.cells[i];
     }
+    /// The first element.
     iterator begin() const & { return cells().begin(); }
     iterator begin() const && = delete;
+    /// The end of the range.
     iterator end() const & { return cells().end(); }
     iterator end() const && = delete;
     /// For a region: true if a cell is one of them; false for a cell that does not exist. O(log cells).

@@ -1,4 +1,5 @@
-// Trimming of pieces that overlap. Include gusset.hpp, not this.
+/// @file
+/// Trimming of pieces that overlap. Include gusset.hpp, not this.
 #ifndef GUSSET_TRIM_HPP
 #define GUSSET_TRIM_HPP
 
@@ -6,34 +7,10 @@
 
 namespace gusset {
 
-/// The options of trimming; see gusset_trim_options.
-struct TrimOptions {
-    /// 0: four mean edges of the coarser of two pieces.
-    double max_distance = 0.0;
-    /// In radians; 0: 60 degrees.
-    double max_angle = 0.0;
-    /// The place that each piece was seen from. Empty: nothing is known of that.
-    std::vector<Point3> viewpoints;
-    /// 0: 30.
-    uint32_t min_faces = 0;
-};
-
-namespace detail {
-/// As long as the options live.
-inline gusset_trim_options as_c(const TrimOptions &options) {
-    auto given = detail::sized<gusset_trim_options>();
-    given.max_distance = options.max_distance;
-    given.max_angle = options.max_angle;
-    given.viewpoints = options.viewpoints.empty() ? nullptr : options.viewpoints.front().data();
-    given.viewpoint_count = options.viewpoints.size();
-    given.min_faces = options.min_faces;
-    return given;
-}
-} // namespace detail
-
 /// What is left of pieces that overlap; see gusset_trim_create.
 class Trim {
 public:
+    /// See ::gusset_trim_create.
     explicit Trim(Span<const MeshView> pieces, const TrimOptions &options = {}, const Context &context = Context()) {
         std::vector<gusset_mesh_view> views;
         for (const MeshView &piece : pieces) {

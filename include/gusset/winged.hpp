@@ -1,18 +1,19 @@
-// Winged-edge tables. Include gusset.hpp, not this.
+/// @file
+/// Winged-edge tables. Include gusset.hpp, not this.
 #ifndef GUSSET_WINGED_HPP
 #define GUSSET_WINGED_HPP
 
 #include <gusset/mesh.hpp>
+#include <gusset/papers_options.hpp>
 
 namespace gusset {
 
 /// Winged-edge tables; see gusset_winged_create.
 class Winged {
 public:
-    explicit Winged(const MeshView &mesh, Winding winding = Winding::counter_clockwise,
-                    const Context &context = Context()) {
-        auto given = detail::sized<gusset_winged_options>();
-        given.winding = static_cast<uint32_t>(winding);
+    /// The tables of a mesh.
+    explicit Winged(const MeshView &mesh, const WingedOptions &options = {}, const Context &context = Context()) {
+        const gusset_winged_options given = detail::as_c(options);
         winged_.reset(context.result(gusset_winged_create, &mesh.get(), &given));
     }
     /// The edges; see gusset_winged_edge.
@@ -53,9 +54,8 @@ public:
     /// Of a table of the caller's. `first_edges`: per face where it begins; empty for its edge of the
     /// smallest number.
     WingedFaces(Span<const gusset_winged_edge> edges, std::size_t vertex_count, Indices first_edges = {},
-                Winding winding = Winding::counter_clockwise, const Context &context = Context()) {
-        auto given = detail::sized<gusset_winged_options>();
-        given.winding = static_cast<uint32_t>(winding);
+                const WingedOptions &options = {}, const Context &context = Context()) {
+        const gusset_winged_options given = detail::as_c(options);
         const gusset_indices first = {first_edges.data(), first_edges.size()};
         faces_.reset(context.result(gusset_winged_faces_create, edges.data(), edges.size(), vertex_count,
                                     first_edges.size() != 0 ? &first : nullptr, &given));

@@ -8,3 +8,4 @@ mod floors;
 mod lenders;
 mod messages;
 mod modules;
+mod options;

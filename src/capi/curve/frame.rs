@@ -88,6 +88,7 @@ pub struct gusset_frame_options {
     /// ANGLE, bent axis: a point for each section, x, y, z, in place of axis_point and
     /// axis_direction. The axis follows circles through three consecutive points; the reference
     /// does not rotate about it. NULL: straight.
+    /// @points
     pub axis_points: *const f64,
     /// Number of sections.
     pub axis_point_count: usize,

@@ -26,6 +26,7 @@ pub struct gusset_trim_options {
     pub max_angle: f64,
     /// x, y, z for each piece, in the unit of the positions, or NULL. Parts seen at flat angles
     /// weigh less.
+    /// @points
     pub viewpoints: *const f64,
     /// Number of pieces, or 0.
     pub viewpoint_count: usize,

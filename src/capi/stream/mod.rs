@@ -35,6 +35,7 @@ pub struct gusset_stream_options {
     pub bits: u32,
     /// QUANTISED, 1: each axis has its own step; 0: the longest extent gives the step of all. Else
     /// 0.
+    /// @flag
     pub per_axis: u32,
     /// 0.
     pub reserved: u32,

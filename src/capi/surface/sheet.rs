@@ -65,10 +65,15 @@ pub struct gusset_nodes {
     /// Type of coordinates.
     pub scalar: gusset_scalar,
     /// Interpolation through nodes.
+    /// @option
     pub scheme: gusset_scheme,
     /// 1: closed in u; the last row repeats the first.
+    /// @option
+    /// @flag
     pub closed_u: u32,
     /// 1: closed in v; the last column repeats the first.
+    /// @option
+    /// @flag
     pub closed_v: u32,
 }
 

@@ -55,8 +55,10 @@ pub struct gusset_spline {
     /// 1 to 7.
     pub degree_v: u32,
     /// 1: closed in u.
+    /// @flag
     pub closed_u: u32,
     /// 1: closed in v.
+    /// @flag
     pub closed_v: u32,
     /// Weights of the control points, finite, above 0, at least 2^-900 of the greatest; NULL: all
     /// equal.
@@ -64,8 +66,10 @@ pub struct gusset_spline {
     /// Largest distance from a rational spline at equal parameters. Rounding requires about 1e-13
     /// of the size. 0: 1e-12 of the control points' box diagonal, or more where rounding requires
     /// it.
+    /// @option
     pub tolerance: f64,
     /// Maximum number of cells of a rational spline; 0: 2^20.
+    /// @option
     pub max_cells: usize,
 }
 
@@ -86,10 +90,15 @@ pub struct gusset_curve_net {
     pub column_count: usize,
     /// Largest distance between two curves where they meet, finite; both move to the middle. 0:
     /// 1e-6 of the curves' box diagonal.
+    /// @option
     pub tolerance: f64,
     /// 1: the columns are closed, and the first row follows the last.
+    /// @option
+    /// @flag
     pub closed_u: u32,
     /// 1: the rows are closed, and the first column follows the last.
+    /// @option
+    /// @flag
     pub closed_v: u32,
 }
 

@@ -15,6 +15,8 @@
 //! | `@when neighbour A, B` | fields, parameters | it is read only if a neighbour has one of these values |
 //! | `@values A, B` | fields | the only constants of its choice that it takes |
 //! | `@flag` | fields, parameters | 0 or 1 |
+//! | `@points` | fields | each element is a point: three numbers |
+//! | `@option` | fields | an option in a struct of other inputs |
 //! | `@bits` | choices | values are bits, which may be combined |
 
 use serde::Serialize;
@@ -59,7 +61,8 @@ pub struct Comment {
 }
 
 /// Tags with free contents.
-const TAGS: [&str; 8] = ["return", "complexity", "threads", "source", "when", "flag", "bits", "values"];
+const TAGS: [&str; 10] =
+    ["return", "complexity", "threads", "source", "when", "flag", "bits", "values", "points", "option"];
 
 impl Comment {
     /// Parses the lines of a comment.

@@ -15,11 +15,27 @@ auto text(Choice value) -> decltype(choice_name(value)) {
 }
 ";
 
-/// The text of `gusset/choices.hpp`: an enum and its texts for each choice, except sets of bits.
-pub fn choices(sources: &[Source]) -> String {
+/// The names and values of the constants of a choice.
+pub fn enumerators<'a>(sources: &'a [Source], choice: &'a str) -> impl Iterator<Item = (&'a str, &'a str)> {
+    sources.iter().flat_map(|source| &source.items).filter_map(move |item| match &item.kind {
+        Kind::Constant(kind, value) if kind.name == choice => Some((item.name.as_str(), value.as_str())),
+        _ => None,
+    })
+}
+
+/// The enumerators of a choice in C++, with their values.
+pub fn words(sources: &[Source], choice: &str) -> Vec<(String, String)> {
+    let (names, values): (Vec<&str>, Vec<&str>) = enumerators(sources, choice).unzip();
+    let shared = shared_prefix(&names);
+    names.iter().map(|name| word(&name[shared..])).zip(values.into_iter().map(str::to_owned)).collect()
+}
+
+/// The text of `gusset/choices.hpp`: an enum and its texts for each choice, except sets of bits. For the reference each enumerator refers to
+/// its constant.
+pub fn choices(sources: &[Source], for_reference: bool) -> String {
     let items = || sources.iter().flat_map(|source| &source.items);
     let mut text = String::from(
-        "// The choices of gusset.h as enums. Generated from src/capi; do not edit. Include gusset.hpp, not this.\n\
+        "/// @file\n/// The choices of gusset.h as enums. Generated from src/capi; do not edit. Include gusset.hpp, not this.\n\
          #ifndef GUSSET_CHOICES_HPP\n#define GUSSET_CHOICES_HPP\n\n#include <gusset.h>\n\nnamespace gusset {\n",
     );
     let mut names_of_types = String::new();
@@ -28,12 +44,12 @@ pub fn choices(sources: &[Source]) -> String {
         if item.comment.tag("bits").is_some() {
             continue;
         }
-        let names: Vec<&str> = items()
-            .filter(|other| matches!(&other.kind, Kind::Constant(kind, _) if kind.name == item.name))
-            .map(|other| other.name.as_str())
+        let names = enumerators(sources, &item.name).map(|(name, _)| name);
+        let said = |name: &str| if for_reference { format!("/** See ::{name}. */ ") } else { String::new() };
+        let values: Vec<String> = names
+            .zip(words(sources, &item.name))
+            .map(|(name, (word, _))| format!("{}{word} = {name}", said(name)))
             .collect();
-        let shared = shared_prefix(&names);
-        let values: Vec<String> = names.iter().map(|name| format!("{} = {name}", word(&name[shared..]))).collect();
         let _ = write!(text, "\n/// {} See ::{}.\n", item.comment.brief, item.name);
         let name = camel_case(&item.name);
         let head = format!("enum class {name} : uint32_t {{");
@@ -62,7 +78,7 @@ fn word(name: &str) -> String {
 }
 
 /// `FacingRun` of `gusset_facing_run`.
-fn camel_case(name: &str) -> String {
+pub fn camel_case(name: &str) -> String {
     let parts = name.trim_start_matches("gusset_").split('_');
     parts.map(|part| part[..1].to_uppercase() + &part[1..]).collect()
 }

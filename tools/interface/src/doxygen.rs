@@ -115,10 +115,12 @@ fn cleaned(comment: &Comment) -> Comment {
         "when" => text.split_once(' ').map(|(field, values)| format!("Read only if {field} is {values}.")),
         "flag" => Some("0 or 1.".to_owned()),
         "bits" => Some("A sum of constants.".to_owned()),
+        "option" => Some(String::new()),
+        "points" => Some("Three numbers a point.".to_owned()),
         "values" => Some(format!("Takes {text} only.")),
         _ => None,
     };
-    let sentences: Vec<String> = comment.tags.iter().filter_map(said).collect();
+    let sentences: Vec<String> = comment.tags.iter().filter_map(said).filter(|said| !said.is_empty()).collect();
     comment.detail = format!("{} {}", comment.detail, sentences.join(" ")).trim().to_owned();
     comment.tags.retain(|tag| said(tag).is_none());
     for (_, text) in &mut comment.tags {

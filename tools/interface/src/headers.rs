@@ -249,7 +249,7 @@ fn in_order(sources: &[Source]) -> Result<Vec<&Source>, String> {
 
 /// An order in which everything stands after what it needs, and otherwise as it is numbered; or one
 /// that needs itself.
-fn sorted(needed: &[Vec<usize>]) -> Result<Vec<usize>, usize> {
+pub(crate) fn sorted(needed: &[Vec<usize>]) -> Result<Vec<usize>, usize> {
     fn visit(at: usize, needed: &[Vec<usize>], open: &mut Vec<usize>, order: &mut Vec<usize>) -> Result<(), usize> {
         if order.contains(&at) {
             return Ok(());
@@ -332,7 +332,7 @@ fn documented(
     text
 }
 
-fn comment_lines(comment: &Comment, indent: &str) -> String {
+pub(crate) fn comment_lines(comment: &Comment, indent: &str) -> String {
     let mut text = String::new();
     let mut paragraph = |words: &str, hanging: &str| {
         for line in wrapped(words, hanging, WIDTH - 4 - indent.len()) {

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`comment`] | parses comments: the grammar of their tags |
 //! | [`cpp`] | writes the choices as enums of C++ |
+//! | [`cpp_options`] | writes the structs of options as structs of C++ |
 //! | [`source`] | reads the items that C sees |
 //! | [`headers`] | writes the headers, by cbindgen and in the order of the sources |
 //! | [`description`] | writes the description that other generators read |
@@ -12,6 +13,7 @@
 
 pub mod comment;
 pub mod cpp;
+pub mod cpp_options;
 pub mod description;
 pub mod doxygen;
 pub mod headers;
@@ -22,11 +24,13 @@ use std::path::Path;
 
 /// Folder of the interface.
 pub const FOLDER: &str = "src/capi";
+/// The enums of C++.
+const CHOICES: &str = "include/gusset/choices.hpp";
 
 /// A generated file: its path in the repository, and its text.
 pub type Generated = (String, String);
 
-/// The headers of the library that are generated: those of C, the choices of C++, and the plugin's.
+/// The headers of the library that are generated: those of C, choices and options of C++, and the plugin's.
 ///
 /// # Errors
 ///
@@ -34,7 +38,8 @@ pub type Generated = (String, String);
 pub fn library_headers(root: &Path, version: &str) -> Result<Vec<Generated>, String> {
     let sources = sources(root)?;
     let mut made = written(root, version, &sources, &headers::Plain)?;
-    made.push(("include/gusset/choices.hpp".to_owned(), cpp::choices(&sources)));
+    made.push((CHOICES.to_owned(), cpp::choices(&sources, false)));
+    made.extend(cpp_options::options(&sources)?);
     made.push(plugin_header(root)?);
     Ok(made)
 }
@@ -48,6 +53,7 @@ pub fn reference_headers(root: &Path, version: &str) -> Result<Vec<Generated>, S
     let sources = sources(root)?;
     let examples = doxygen::examples(&root.join("examples/reference"))?;
     let mut made = written(root, version, &sources, &doxygen::Reference { sources: &sources, examples: &examples })?;
+    made.push((CHOICES.to_owned(), cpp::choices(&sources, true)));
     let mut plugin = plugin_sources(root)?;
     for source in &mut plugin {
         source.path = format!("plugin/{}", source.path).trim_end_matches('/').to_owned();

@@ -1,0 +1,146 @@
+/// @file
+/// The options of gusset/curve.h. Where a comment says NULL, an empty list or options without changes are meant.
+/// Generated from src/capi; do not edit. Include gusset.hpp, not this.
+#ifndef GUSSET_CURVE_OPTIONS_HPP
+#define GUSSET_CURVE_OPTIONS_HPP
+
+#include <gusset/span.hpp>
+
+namespace gusset {
+
+/// Options of curves through outlines. See ::gusset_outline_options.
+struct OutlineOptions {
+    /// Kind of an outline's curve.
+    CurveKind curve = CurveKind::composite;
+    /// Guide of a section's control point.
+    SectionMethod method = SectionMethod::bisector;
+    /// For composite and single curves.
+    ParameterLock lock = ParameterLock::parameter;
+    /// For composite curves and chains.
+    JointParameter joint = JointParameter::half;
+    /// Method of solution.
+    OutlineSolver solver = OutlineSolver::fast;
+    /// For open outlines and parts between corners. A constraint on the end tangent takes precedence.
+    OutlineEnds ends = OutlineEnds::free;
+    /// 0 to 1. A value sets method to GUSSET_METHOD_ALPHA.
+    std::optional<double> alpha;
+    /// Composite parameters are clamped to this and 1 minus this: 0.001 to 1/2; 0: 1/6.
+    double parameter_limit = 0.0;
+    /// Largest distance of neighbours that are merged, below 1; 0: 1e-12. 1e-300 merges equal points only.
+    double repeat_tolerance = 0.0;
+    /// Points where the polygon turns by more are corners. At least 0; 0, or pi and more: none.
+    double corner_angle = 0.0;
+    /// Iterations end when no move exceeds it; below 1; 0: 1e-12.
+    double tolerance = 0.0;
+    /// Maximum sweeps or iterations between two corners; 0: 200.
+    uint32_t max_sweeps = 0;
+    /// Maximum steps at a point in a sweep; 0: 20,000.
+    uint32_t max_steps = 0;
+};
+
+/// Options of gusset_curve_offset_create. See ::gusset_offset_options.
+struct OffsetOptions {
+    /// Wanted deviation, above 0.
+    double tolerance = 0.0;
+    /// No segment is halved at this number of segments; 0: 65536.
+    std::size_t max_segments = 0;
+    /// Degree of segments, 2 or 3; 0: 3.
+    uint32_t degree = 0;
+};
+
+/// Options of gusset_frame_create. See ::gusset_frame_options.
+struct FrameOptions {
+    /// Correspondence of points between sections.
+    CorrespondenceRule correspondence = CorrespondenceRule::given;
+    /// ARC_LENGTH, ANGLE: nodes in a section. LANDMARKS: parts between two landmarks.
+    uint32_t columns = 0;
+    /// 1: the first section follows the last.
+    bool ring = false;
+    /// ARC_LENGTH. 1: closed sections start at their first points, or at the common corner after the first section's
+    /// first point.
+    bool given_starts = false;
+    /// 1: only constraints make corners. 0: corners are also points where the polygon turns by 40 degrees and far more
+    /// than usual, or by `corner_angle` of `across` if less than pi.
+    bool smooth_corners = false;
+    /// ANGLE: a point of the axis.
+    Point3 axis_point{};
+    /// ANGLE: direction of the axis; seen against it angles grow counter-clockwise.
+    Point3 axis_direction{};
+    /// ANGLE: direction of column 0, not parallel to the axis (at its first point if bent).
+    Point3 reference{};
+    /// ANGLE, bent axis: a point for each section, x, y, z, in place of axis_point and axis_direction. The axis follows
+    /// circles through three consecutive points; the reference does not rotate about it. NULL: straight.
+    std::vector<Point3> axis_points;
+    /// LANDMARKS: for each section the same number of indices into its own points, in order.
+    std::vector<uint32_t> landmarks;
+    /// Options of the curves across; NULL: defaults.
+    OutlineOptions across;
+    /// Options of the curves along; NULL: defaults.
+    OutlineOptions along;
+    /// GIVEN: indices of missing points over all sections, in any order. Their coordinates are not read. Each is
+    /// interpolated by a Catmull-Rom curve through up to two nodes before and after it in the column, with centripetal
+    /// parameters from adjacent columns.
+    std::vector<uint32_t> missing;
+};
+
+namespace detail {
+inline gusset_outline_options as_c(const OutlineOptions &options) {
+    auto given = sized<gusset_outline_options>();
+    given.curve = static_cast<gusset_curve_kind>(options.curve);
+    given.method = static_cast<gusset_section_method>(options.method);
+    given.lock = static_cast<gusset_parameter_lock>(options.lock);
+    given.joint = static_cast<gusset_joint_parameter>(options.joint);
+    given.solver = static_cast<gusset_outline_solver>(options.solver);
+    given.ends = static_cast<gusset_outline_ends>(options.ends);
+    given.parameter_limit = options.parameter_limit;
+    given.repeat_tolerance = options.repeat_tolerance;
+    given.corner_angle = options.corner_angle;
+    given.tolerance = options.tolerance;
+    given.max_sweeps = options.max_sweeps;
+    given.max_steps = options.max_steps;
+    if (options.alpha) {
+        given.alpha = *options.alpha;
+        given.method = GUSSET_METHOD_ALPHA;
+    }
+    return given;
+}
+
+inline gusset_offset_options as_c(const OffsetOptions &options) {
+    auto given = sized<gusset_offset_options>();
+    given.tolerance = options.tolerance;
+    given.max_segments = options.max_segments;
+    given.degree = options.degree;
+    return given;
+}
+
+/// What gusset_frame_options points to.
+struct FrameOptionsNested {
+    gusset_outline_options across;
+    gusset_outline_options along;
+};
+inline gusset_frame_options as_c(const FrameOptions &options, FrameOptionsNested &nested) {
+    auto given = sized<gusset_frame_options>();
+    given.correspondence = static_cast<gusset_correspondence_rule>(options.correspondence);
+    given.columns = options.columns;
+    given.ring = options.ring ? 1 : 0;
+    given.given_starts = options.given_starts ? 1 : 0;
+    given.smooth_corners = options.smooth_corners ? 1 : 0;
+    std::copy(options.axis_point.begin(), options.axis_point.end(), given.axis_point);
+    std::copy(options.axis_direction.begin(), options.axis_direction.end(), given.axis_direction);
+    std::copy(options.reference.begin(), options.reference.end(), given.reference);
+    given.axis_points = numbers(first(options.axis_points));
+    given.axis_point_count = options.axis_points.size();
+    given.landmarks = {first(options.landmarks), options.landmarks.size()};
+    nested.across = as_c(options.across);
+    given.across = &nested.across;
+    nested.along = as_c(options.along);
+    given.along = &nested.along;
+    given.missing = {first(options.missing), options.missing.size()};
+    return given;
+}
+gusset_frame_options as_c(const FrameOptions &&, FrameOptionsNested &) = delete;
+} // namespace detail
+
+} // namespace gusset
+
+#endif // GUSSET_CURVE_OPTIONS_HPP

@@ -1,0 +1,438 @@
+/// @file
+/// The options of gusset/mesh.h. Where a comment says NULL, an empty list or options without changes are meant.
+/// Generated from src/capi; do not edit. Include gusset.hpp, not this.
+#ifndef GUSSET_MESH_OPTIONS_HPP
+#define GUSSET_MESH_OPTIONS_HPP
+
+#include <gusset/span.hpp>
+
+namespace gusset {
+
+/// Options of gusset_weld and gusset_sew. See ::gusset_weld_options.
+struct WeldOptions {
+    /// Vertices that are welded.
+    WeldVertices vertices = WeldVertices::boundary;
+    /// Distance at which vertices coincide.
+    /// - GUSSET_TOLERANCE_GIVEN: at most tolerance.
+    /// - GUSSET_TOLERANCE_EXACT: 0; -0 equals 0.
+    /// - GUSSET_TOLERANCE_AUTO: at most 2^-19 of the largest coordinate for 32-bit positions, 2^-48 for 64-bit ones,
+    ///   or, if more, twice the last decimal place that positions show. At each vertex it is at most a quarter of the
+    ///   shortest edge, so that no edge collapses.
+    /// - Last decimal place: let D be the largest power of ten up to the longest side of the box of the vertices. The
+    ///   place is the largest of 1e-5 D, 1e-6 D, ... of which a third of the coordinates of the largest order of
+    ///   magnitude, or of the differences between consecutive vertices, are multiples. Multiples of 1e-4 D are left
+    ///   out; at least eight other numbers are needed.
+    ToleranceMode tolerance_mode = ToleranceMode::automatic;
+    /// Largest distance of coincident vertices, finite, at least 0. A value sets tolerance_mode to
+    /// GUSSET_TOLERANCE_GIVEN.
+    std::optional<double> tolerance;
+    /// Treatment of coincident corners of one face.
+    Collapse collapse = Collapse::never;
+    /// Treatment of vertices that no face uses.
+    Unused unused = Unused::keep;
+};
+
+/// Options of gusset_stitch. See ::gusset_stitch_options.
+struct StitchOptions {
+    /// Rule for the meridians.
+    Meridians meridians = Meridians::continuation;
+    /// Treatment of opposite orientations.
+    Orientation orientation = Orientation::fix;
+    /// Shift of the first meridian along rim B, in vertices, from the closest pair that no edge joins. Counted in the
+    /// direction of rim A, modulo the length of rim B. If not 0, no other start is tried. Must be 0 if arcs are joined
+    /// (OUT_OF_RANGE).
+    int64_t twist = 0;
+    /// Part of the loops to join.
+    StitchExtent extent = StitchExtent::whole_loops;
+    /// Choice among runs of facing vertices.
+    FacingRun run = FacingRun::closest;
+    /// Number of interior rows.
+    RowRule rows = RowRule::none;
+    /// Interior rows. A value sets rows to GUSSET_ROWS_COUNT.
+    std::optional<uint32_t> row_count;
+    /// Faces of the strip.
+    StripCells cells = StripCells::triangles;
+    /// Source of the tolerance.
+    ToleranceMode tolerance_mode = ToleranceMode::automatic;
+    /// Facing vertices are farther than this from the plane of their loop. In the unit of the positions; finite, at
+    /// least 0. A value sets tolerance_mode to GUSSET_TOLERANCE_GIVEN.
+    std::optional<double> tolerance;
+    /// First index on loop A, and number of vertices, 1 to the loop's length. The arc follows the loop as given, and
+    /// may pass its end. A value sets extent to GUSSET_EXTENT_ARCS.
+    std::optional<std::array<uint32_t, 2>> arc_a;
+    /// As arc_a, for loop B. A value sets extent to GUSSET_EXTENT_ARCS.
+    std::optional<std::array<uint32_t, 2>> arc_b;
+    /// Search effort.
+    StripSearch search = StripSearch::automatic;
+    /// First meridian of a closed strip.
+    StripStart start = StripStart::automatic;
+    /// Positions of interior rows; ignored without rows, with a log message if set.
+    Fairing fairing = Fairing::none;
+    /// The treatment of faces that intersect each other.
+    Intersections intersections = Intersections::automatic;
+    /// Centre of a loop.
+    Centres centres = Centres::vertices;
+    /// The side that closed components of a result face.
+    Outward outward = Outward::automatic;
+    /// Surface between the rims.
+    Finish finish = Finish::strip;
+};
+
+/// Options of gusset_fill. See ::gusset_fill_options.
+struct FillOptions {
+    /// Weight that the triangulation of a hole minimises.
+    FillWeight weight = FillWeight::continuation;
+    /// New vertices of patches.
+    FillRefinement refine = FillRefinement::none;
+    /// Fairing of new vertices. Without new vertices it is ignored, and the log says so.
+    Fairing fairing = Fairing::none;
+    /// Loops that stay open. Read only if all loops are selected.
+    FillKeep keep = FillKeep::none;
+    /// Treatment of patch faces that intersect each other or old faces: GUSSET_INTERSECTIONS_AUTO avoids them, REPORT
+    /// reports them, IGNORE does not look for them.
+    Intersections intersections = Intersections::automatic;
+    /// If 1, fills and turns over nothing. The report says which loops would be filled, by which weight and finish. It
+    /// does not predict failed triangulations or shared patches.
+    bool plan_only = false;
+    /// Approximate limit on the new vertices of a patch, kept by larger triangles, exceeded at most twofold. 0: 50,000,
+    /// or 4 for each rim vertex if more, and as many again for sharp angles there.
+    uint32_t max_new_vertices = 0;
+    /// Most edges of a loop to fill. 0: no limit.
+    uint32_t max_edges = 0;
+    /// Largest length of a loop to fill, at least 0. 0: no limit.
+    double max_length = 0.0;
+    /// Largest diagonal of the axis-aligned box of a loop to fill, at least 0. 0: no limit.
+    double max_diameter = 0.0;
+    /// Largest area, as in gusset_hole, of a loop to fill, at least 0. 0: no limit.
+    double max_area = 0.0;
+    /// Orientation of closed components of the result, patches included.
+    Outward outward = Outward::automatic;
+    /// Choice of loops that share a patch. Read only without groups.
+    FillTogether together = FillTogether::apart;
+    /// Group number of each given loop, loop_count in all. Loops with equal numbers share a patch of genus 0, without
+    /// loops left open for their own reasons. NULL: see together.
+    std::vector<uint32_t> groups;
+    /// Smoothness between faired patches and the old surface.
+    FillContinuity continuity = FillContinuity::c1;
+    /// If 1, creases of the old surface end at the rim.
+    bool ignore_creases = false;
+};
+
+/// Options of gusset_trim_create. See ::gusset_trim_options.
+struct TrimOptions {
+    /// Largest distance of surfaces that count as one, in the unit of the positions, finite, at least 0. 0: 4 mean
+    /// edges of the coarser piece.
+    double max_distance = 0.0;
+    /// Largest angle between their normals, in radians, at least 0, below pi / 2; 0: 60 degrees.
+    double max_angle = 0.0;
+    /// x, y, z for each piece, in the unit of the positions, or NULL. Parts seen at flat angles weigh less.
+    std::vector<Point3> viewpoints;
+    /// Islands of fewer faces are removed; 0: 30. The limit is 20 times as large for islands that other pieces also
+    /// show. Holes below that limit are not made.
+    uint32_t min_faces = 0;
+};
+
+/// Options of gusset_join. See ::gusset_join_options.
+struct JoinOptions {
+    /// Treatment of coincident borders.
+    Welding weld = Welding::sew;
+    /// GUSSET_ORIENTATION_FIX reverses the minority of faces in each component, then components against the ones that
+    /// they face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores outward. Takes GUSSET_ORIENTATION_FIX,
+    /// GUSSET_ORIENTATION_KEEP only.
+    Orientation orientation = Orientation::fix;
+    /// 1 joins whole loops only, not runs and slits.
+    bool whole_loops_only = false;
+    /// 1 also joins loops of one component that pairs does not name.
+    bool within_components = false;
+    /// 1 fills the remaining holes.
+    bool fill = false;
+    /// Widest gap to close, in the unit of the positions, finite, at least 0; 0 closes none. A value sets gap of C to
+    /// GUSSET_GAP_GIVEN; empty: GUSSET_GAP_AUTO.
+    std::optional<double> max_gap;
+    /// Pairs of whole loops to join at any distance, or NULL. A pair names two loops, or a slit twice (see
+    /// gusset_joint). No loop is in two pairs.
+    std::vector<gusset_loop_pair> pairs;
+    /// Pairs not to join, or NULL; pairs takes precedence. A vertex that is on no loop after welding excludes nothing.
+    std::vector<gusset_loop_pair> excluded;
+    /// Options of welding; NULL for the defaults.
+    WeldOptions weld_options;
+    /// Options of strips; NULL for the defaults. Only meridians, search, start, rows, row_count, cells, fairing,
+    /// intersections and finish are used; all must be valid.
+    StitchOptions strip_options;
+    /// Options of filling; NULL for the defaults. groups, outward and plan_only are ignored, but outward and plan_only
+    /// must be valid. GUSSET_INTERSECTIONS_REPORT acts as GUSSET_INTERSECTIONS_IGNORE.
+    FillOptions fill_options;
+    /// Side that closed components face, by default outwards, walls of cavities included. Other components mostly keep
+    /// the orientation of the first piece.
+    Outward outward = Outward::automatic;
+    /// Treatment of overlapping pieces.
+    Overlaps overlaps = Overlaps::keep;
+    /// Options of trimming; NULL for the defaults. Read only if overlaps is GUSSET_OVERLAPS_TRIM.
+    TrimOptions trim_options;
+};
+
+/// Options of gusset_strip. See ::gusset_strip_options.
+struct StripOptions {
+    /// Rule for the meridians.
+    Meridians meridians = Meridians::continuation;
+    /// Search effort.
+    StripSearch search = StripSearch::automatic;
+    /// First meridian of closed polylines; open ones start at their first points.
+    StripStart start = StripStart::automatic;
+    /// 1 if the polylines are closed.
+    bool closed = false;
+    /// Number of interior rows; the mean edge is of both polylines.
+    RowRule rows = RowRule::none;
+    /// Interior rows. A value sets rows to GUSSET_ROWS_COUNT.
+    std::optional<uint32_t> row_count;
+    /// Faces of the strip.
+    StripCells cells = StripCells::triangles;
+};
+
+/// Options of gusset_orient. See ::gusset_orient_options.
+struct OrientOptions {
+    /// Orientation of closed components.
+    Outward outward = Outward::automatic;
+};
+
+/// Options of gusset_alignment_create. See ::gusset_alignment_options.
+struct AlignmentOptions {
+    /// Initial poses.
+    AlignmentStart start = AlignmentStart::as_given;
+    /// Points of each piece to match; 0: 2,000.
+    uint32_t samples = 0;
+    /// Rigid motions of the pieces, or NULL. Read only if start is GUSSET_ALIGN_AS_GIVEN.
+    std::vector<gusset_transform> poses;
+    /// Largest distance of matched points, in the unit of the positions, finite, at least 0. 0: a tenth of the largest
+    /// piece's box diagonal. Pieces may start about this far from their final poses.
+    double max_distance = 0.0;
+    /// Rounds in each of two stages, at most; 0: 100.
+    uint32_t max_rounds = 0;
+};
+
+/// Options of gusset_boundary_create. See ::gusset_boundary_options.
+struct BoundaryOptions {
+    /// Treatment of edges with three or more faces.
+    NonManifold non_manifold = NonManifold::cut;
+    /// Part of the mesh that is checked.
+    Survey survey = Survey::whole_mesh;
+};
+
+/// Options of gusset_develop. See ::gusset_develop_options.
+struct DevelopOptions {
+    /// Distortion that a development minimises.
+    Distortion distortion = Distortion::symmetric;
+    /// Largest number of darts: cuts from the border of a chart to where it is curved.
+    uint32_t max_darts = 0;
+    /// Vertices of the paths to cut along, path after path. Consecutive vertices are connected by the shortest path
+    /// along edges. A path of one vertex cuts nothing.
+    std::vector<uint32_t> cuts;
+    /// Start of each path in cuts, and the end of the last. Empty: one path.
+    std::vector<uint32_t> cut_offsets;
+    /// Darts stop once no length changes by a larger factor, finite and above 1. 0: no limit.
+    double max_stretch = 0.0;
+    /// Largest number of steps of a descent. Charts whose border would meet itself, and GUSSET_DISTORTION_RIGID, need
+    /// several descents. 0: 200.
+    uint32_t max_iterations = 0;
+};
+
+/// Options of gusset_facing_create. See ::gusset_facing_options.
+struct FacingOptions {
+    /// Choice among runs of facing vertices.
+    FacingRun run = FacingRun::closest;
+    /// Source of the tolerance.
+    ToleranceMode tolerance_mode = ToleranceMode::automatic;
+    /// Facing vertices are farther than this from the plane of their loop. In the unit of the points; finite, at least
+    /// 0. A value sets tolerance_mode to GUSSET_TOLERANCE_GIVEN.
+    std::optional<double> tolerance;
+    /// Centre of a loop.
+    Centres centres = Centres::vertices;
+};
+
+namespace detail {
+inline gusset_weld_options as_c(const WeldOptions &options) {
+    auto given = sized<gusset_weld_options>();
+    given.vertices = static_cast<gusset_weld_vertices>(options.vertices);
+    given.tolerance_mode = static_cast<gusset_tolerance_mode>(options.tolerance_mode);
+    given.collapse = static_cast<gusset_collapse>(options.collapse);
+    given.unused = static_cast<gusset_unused>(options.unused);
+    if (options.tolerance) {
+        given.tolerance = *options.tolerance;
+        given.tolerance_mode = GUSSET_TOLERANCE_GIVEN;
+    }
+    return given;
+}
+
+inline gusset_stitch_options as_c(const StitchOptions &options) {
+    auto given = sized<gusset_stitch_options>();
+    given.meridians = static_cast<gusset_meridians>(options.meridians);
+    given.orientation = static_cast<gusset_orientation>(options.orientation);
+    given.twist = options.twist;
+    given.extent = static_cast<gusset_stitch_extent>(options.extent);
+    given.run = static_cast<gusset_facing_run>(options.run);
+    given.rows = static_cast<gusset_row_rule>(options.rows);
+    given.cells = static_cast<gusset_strip_cells>(options.cells);
+    given.tolerance_mode = static_cast<gusset_tolerance_mode>(options.tolerance_mode);
+    given.search = static_cast<gusset_strip_search>(options.search);
+    given.start = static_cast<gusset_strip_start>(options.start);
+    given.fairing = static_cast<gusset_fairing>(options.fairing);
+    given.intersections = static_cast<gusset_intersections>(options.intersections);
+    given.centres = static_cast<gusset_centres>(options.centres);
+    given.outward = static_cast<gusset_outward>(options.outward);
+    given.finish = static_cast<gusset_finish>(options.finish);
+    if (options.row_count) {
+        given.row_count = *options.row_count;
+        given.rows = GUSSET_ROWS_COUNT;
+    }
+    if (options.tolerance) {
+        given.tolerance = *options.tolerance;
+        given.tolerance_mode = GUSSET_TOLERANCE_GIVEN;
+    }
+    if (options.arc_a) {
+        std::copy(options.arc_a->begin(), options.arc_a->end(), given.arc_a);
+        given.extent = GUSSET_EXTENT_ARCS;
+    }
+    if (options.arc_b) {
+        std::copy(options.arc_b->begin(), options.arc_b->end(), given.arc_b);
+        given.extent = GUSSET_EXTENT_ARCS;
+    }
+    return given;
+}
+
+inline gusset_fill_options as_c(const FillOptions &options) {
+    auto given = sized<gusset_fill_options>();
+    given.weight = static_cast<gusset_fill_weight>(options.weight);
+    given.refine = static_cast<gusset_fill_refinement>(options.refine);
+    given.fairing = static_cast<gusset_fairing>(options.fairing);
+    given.keep = static_cast<gusset_fill_keep>(options.keep);
+    given.intersections = static_cast<gusset_intersections>(options.intersections);
+    given.plan_only = options.plan_only ? 1 : 0;
+    given.max_new_vertices = options.max_new_vertices;
+    given.max_edges = options.max_edges;
+    given.max_length = options.max_length;
+    given.max_diameter = options.max_diameter;
+    given.max_area = options.max_area;
+    given.outward = static_cast<gusset_outward>(options.outward);
+    given.together = static_cast<gusset_fill_together>(options.together);
+    given.groups = first(options.groups);
+    given.continuity = static_cast<gusset_fill_continuity>(options.continuity);
+    given.ignore_creases = options.ignore_creases ? 1 : 0;
+    return given;
+}
+gusset_fill_options as_c(const FillOptions &&) = delete;
+
+inline gusset_trim_options as_c(const TrimOptions &options) {
+    auto given = sized<gusset_trim_options>();
+    given.max_distance = options.max_distance;
+    given.max_angle = options.max_angle;
+    given.viewpoints = numbers(first(options.viewpoints));
+    given.viewpoint_count = options.viewpoints.size();
+    given.min_faces = options.min_faces;
+    return given;
+}
+gusset_trim_options as_c(const TrimOptions &&) = delete;
+
+/// What gusset_join_options points to.
+struct JoinOptionsNested {
+    gusset_weld_options weld_options;
+    gusset_stitch_options strip_options;
+    gusset_fill_options fill_options;
+    gusset_trim_options trim_options;
+};
+inline gusset_join_options as_c(const JoinOptions &options, JoinOptionsNested &nested) {
+    auto given = sized<gusset_join_options>();
+    given.weld = static_cast<gusset_welding>(options.weld);
+    given.orientation = static_cast<gusset_orientation>(options.orientation);
+    given.whole_loops_only = options.whole_loops_only ? 1 : 0;
+    given.within_components = options.within_components ? 1 : 0;
+    given.fill = options.fill ? 1 : 0;
+    given.pairs = first(options.pairs);
+    given.pair_count = options.pairs.size();
+    given.excluded = first(options.excluded);
+    given.excluded_count = options.excluded.size();
+    nested.weld_options = as_c(options.weld_options);
+    given.weld_options = &nested.weld_options;
+    nested.strip_options = as_c(options.strip_options);
+    given.strip_options = &nested.strip_options;
+    nested.fill_options = as_c(options.fill_options);
+    given.fill_options = &nested.fill_options;
+    given.outward = static_cast<gusset_outward>(options.outward);
+    given.overlaps = static_cast<gusset_overlaps>(options.overlaps);
+    nested.trim_options = as_c(options.trim_options);
+    given.trim_options = &nested.trim_options;
+    if (options.max_gap) {
+        given.max_gap = *options.max_gap;
+        given.gap = GUSSET_GAP_GIVEN;
+    }
+    return given;
+}
+gusset_join_options as_c(const JoinOptions &&, JoinOptionsNested &) = delete;
+
+inline gusset_strip_options as_c(const StripOptions &options) {
+    auto given = sized<gusset_strip_options>();
+    given.meridians = static_cast<gusset_meridians>(options.meridians);
+    given.search = static_cast<gusset_strip_search>(options.search);
+    given.start = static_cast<gusset_strip_start>(options.start);
+    given.closed = options.closed ? 1 : 0;
+    given.rows = static_cast<gusset_row_rule>(options.rows);
+    given.cells = static_cast<gusset_strip_cells>(options.cells);
+    if (options.row_count) {
+        given.row_count = *options.row_count;
+        given.rows = GUSSET_ROWS_COUNT;
+    }
+    return given;
+}
+
+inline gusset_orient_options as_c(const OrientOptions &options) {
+    auto given = sized<gusset_orient_options>();
+    given.outward = static_cast<gusset_outward>(options.outward);
+    return given;
+}
+
+inline gusset_alignment_options as_c(const AlignmentOptions &options) {
+    auto given = sized<gusset_alignment_options>();
+    given.start = static_cast<gusset_alignment_start>(options.start);
+    given.samples = options.samples;
+    given.poses = first(options.poses);
+    given.pose_count = options.poses.size();
+    given.max_distance = options.max_distance;
+    given.max_rounds = options.max_rounds;
+    return given;
+}
+gusset_alignment_options as_c(const AlignmentOptions &&) = delete;
+
+inline gusset_boundary_options as_c(const BoundaryOptions &options) {
+    auto given = sized<gusset_boundary_options>();
+    given.non_manifold = static_cast<gusset_non_manifold>(options.non_manifold);
+    given.survey = static_cast<gusset_survey>(options.survey);
+    return given;
+}
+
+inline gusset_develop_options as_c(const DevelopOptions &options) {
+    auto given = sized<gusset_develop_options>();
+    given.distortion = static_cast<gusset_distortion>(options.distortion);
+    given.max_darts = options.max_darts;
+    given.cuts = {first(options.cuts), options.cuts.size()};
+    given.cut_offsets = {first(options.cut_offsets), options.cut_offsets.size()};
+    given.max_stretch = options.max_stretch;
+    given.max_iterations = options.max_iterations;
+    return given;
+}
+gusset_develop_options as_c(const DevelopOptions &&) = delete;
+
+inline gusset_facing_options as_c(const FacingOptions &options) {
+    auto given = sized<gusset_facing_options>();
+    given.run = static_cast<gusset_facing_run>(options.run);
+    given.tolerance_mode = static_cast<gusset_tolerance_mode>(options.tolerance_mode);
+    given.centres = static_cast<gusset_centres>(options.centres);
+    if (options.tolerance) {
+        given.tolerance = *options.tolerance;
+        given.tolerance_mode = GUSSET_TOLERANCE_GIVEN;
+    }
+    return given;
+}
+} // namespace detail
+
+} // namespace gusset
+
+#endif // GUSSET_MESH_OPTIONS_HPP

@@ -1,0 +1,260 @@
+/// @file
+/// The options of gusset/net.h. Where a comment says NULL, an empty list or options without changes are meant.
+/// Generated from src/capi; do not edit. Include gusset.hpp, not this.
+#ifndef GUSSET_NET_OPTIONS_HPP
+#define GUSSET_NET_OPTIONS_HPP
+
+#include <gusset/span.hpp>
+
+namespace gusset {
+
+/// Options of gusset_net_glue. See ::gusset_glue_options.
+struct GlueOptions {
+    /// For detect: largest distance of coincident nodes, at least 0 and finite.
+    double tolerance = 0.0;
+    /// Gluings to add, at any alignment.
+    std::vector<gusset_gluing> gluings;
+    /// Links to contract, at any alignment; see contracted of gusset_net_analysis_view.
+    std::vector<uint32_t> links;
+    /// 1: replaces the gluing by the one that coordinates imply. It glues coincident neighbours, and coincident runs of
+    /// two or more side nodes in either direction. The orientation stays.
+    bool detect = false;
+    /// 1: canonical form. Every link whose ends are one point is contracted, and redundant seams are dropped. Nets that
+    /// glue equal neighbours then have equal matrices. detect implies it.
+    bool saturate = false;
+    /// 1: moves all nodes of a point to its first node, bit for bit.
+    bool snap = false;
+};
+
+/// Options of gusset_net_to_mesh. See ::gusset_net_mesh_options.
+struct NetMeshOptions {
+    /// Faces of a net's mesh.
+    NetFaces faces = NetFaces::quads;
+    /// 1: one vertex for each node, nothing glued; 0: glued nodes are one vertex.
+    bool no_weld = false;
+    /// 1: keeps finite vertices without faces and wires.
+    bool keep_unused = false;
+    /// 1: a cell with exactly one missing corner becomes a triangle.
+    bool fill_corners = false;
+    /// 1: computes texture coordinates.
+    bool texture = false;
+    /// Omits faces with edges longer than this multiple of the median edge; 0: no limit. For range images, 4 removes
+    /// faces across depth jumps.
+    double max_edge_ratio = 0.0;
+};
+
+/// Options of gusset_net_from_mesh_create. See ::gusset_net_grid_options.
+struct NetGridOptions {
+    /// Cells of a grid in a mesh.
+    GridCells cells = GridCells::quads;
+    /// Face of the component. A value sets has_face of C to 1; empty: 0.
+    std::optional<uint32_t> face;
+};
+
+/// Options of gusset_net_copy_create. See ::gusset_net_copy_options.
+struct NetCopyOptions {
+    /// First row of the part.
+    std::size_t row_first = 0;
+    /// Rows of the part, at least 2; 0: all from row_first on.
+    std::size_t row_count = 0;
+    /// First column of the part.
+    std::size_t column_first = 0;
+    /// Columns of the part, at least 2; 0: all from column_first on.
+    std::size_t column_count = 0;
+    /// Rows after replication, at least the present number; 0: no replication. Links between copies are contracted.
+    std::size_t rows = 0;
+    /// Columns after replication, likewise.
+    std::size_t columns = 0;
+    /// 1: removes rows and columns that repeat the previous one. All links between both are contracted; coordinates and
+    /// links along them are equal. Two rows, two columns and the ends of bridges stay.
+    bool compact = false;
+    /// For rows.
+    Replication row_replication = Replication::uniform;
+    /// For columns.
+    Replication column_replication = Replication::uniform;
+    /// Row to replicate. A value sets row_replication to GUSSET_REPLICATE_AT.
+    std::optional<uint32_t> row_index;
+    /// Column to replicate. A value sets column_replication to GUSSET_REPLICATE_AT.
+    std::optional<uint32_t> column_index;
+    /// Symmetry that is applied.
+    NetTurn turn = NetTurn::none;
+    /// Type of coordinates; 0: unchanged. Conversion to float rounds; nodes that overflow become missing.
+    Scalar scalar{};
+};
+
+/// Options of gusset_net_concatenate_create. See ::gusset_concatenate_options.
+struct ConcatenateOptions {
+    /// For welding: largest distance of coincident nodes, at least 0.
+    double tolerance = 0.0;
+    /// Properties of every new bridge.
+    gusset_bridge_properties properties{};
+    /// Direction from each net to the next.
+    Direction direction = Direction::right;
+    /// Treatment of the cells of a bridge.
+    BridgeMode mode = BridgeMode::keep;
+    /// Enlargement of nets with fewer nodes along the side.
+    Replication equalise = Replication::uniform;
+    /// Row or column to replicate. A value sets equalise to GUSSET_REPLICATE_AT.
+    std::optional<uint32_t> equalise_index;
+    /// Rotation of each net except the first along its closed side, in nodes.
+    uint32_t twist = 0;
+    /// 1: flips nets along the side if their orientation differs from the first; 0: refuses them.
+    bool turn = false;
+    /// Inner rows or columns of each new bridge, evenly on straight lines; 0 for GUSSET_BRIDGE_WELD.
+    uint32_t rows = 0;
+};
+
+/// Deformation to analyse; the default is none. See ::gusset_net_analysis_options.
+struct NetAnalysisOptions {
+    /// Deformed net of the same size; NULL: fields deform the net.
+    const gusset_net *after = nullptr;
+    /// Fields, as for gusset_net_deform.
+    std::vector<gusset_field> fields;
+    /// Time, as for gusset_net_deform.
+    double time = 0.0;
+    /// Lengths up to this count as 0; at least 0 and finite.
+    double tolerance = 0.0;
+};
+
+/// Options of gusset_net_planarise. See ::gusset_planarise_options.
+struct PlanariseOptions {
+    /// Distance of corners from their mean plane, relative to the diagonal of the bounding box; 0: 1e-10, or 4e-7 for
+    /// float.
+    double tolerance = 0.0;
+    /// One byte for each node. 1: the node and all nodes glued to it stay; 0: it may move. NULL: all may move.
+    std::vector<uint8_t> fixed;
+    /// Largest number of steps; 0: 100.
+    uint32_t max_iterations = 0;
+    /// 1: boundary vertices of the surface stay.
+    bool keep_boundary = false;
+};
+
+/// Options of gusset_net_settle. See ::gusset_settle_options.
+struct SettleOptions {
+    /// Largest displacement of the last step, relative to the diagonal of the bounding box; 0: 1e-12.
+    double tolerance = 0.0;
+    /// Ratio of rest lengths to lengths in the reference, above 0; 0: 1.
+    double rest_ratio = 0.0;
+    /// Net of equal size that gives rest lengths and shapes of rigid bridges; NULL: the net itself.
+    const gusset_net *reference = nullptr;
+    /// One byte for each part between bridges, in order: 1 moves it as a rigid body, 0 holds it. NULL holds all.
+    std::vector<uint8_t> free;
+    /// Largest number of steps; 0: 1000.
+    uint32_t max_iterations = 0;
+};
+
+namespace detail {
+inline gusset_glue_options as_c(const GlueOptions &options) {
+    auto given = sized<gusset_glue_options>();
+    given.tolerance = options.tolerance;
+    given.gluings = first(options.gluings);
+    given.gluing_count = options.gluings.size();
+    given.links = first(options.links);
+    given.link_count = options.links.size();
+    given.detect = options.detect ? 1 : 0;
+    given.saturate = options.saturate ? 1 : 0;
+    given.snap = options.snap ? 1 : 0;
+    return given;
+}
+gusset_glue_options as_c(const GlueOptions &&) = delete;
+
+inline gusset_net_mesh_options as_c(const NetMeshOptions &options) {
+    auto given = sized<gusset_net_mesh_options>();
+    given.faces = static_cast<gusset_net_faces>(options.faces);
+    given.no_weld = options.no_weld ? 1 : 0;
+    given.keep_unused = options.keep_unused ? 1 : 0;
+    given.fill_corners = options.fill_corners ? 1 : 0;
+    given.texture = options.texture ? 1 : 0;
+    given.max_edge_ratio = options.max_edge_ratio;
+    return given;
+}
+
+inline gusset_net_grid_options as_c(const NetGridOptions &options) {
+    auto given = sized<gusset_net_grid_options>();
+    given.cells = static_cast<gusset_grid_cells>(options.cells);
+    if (options.face) {
+        given.face = *options.face;
+        given.has_face = 1;
+    }
+    return given;
+}
+
+inline gusset_net_copy_options as_c(const NetCopyOptions &options) {
+    auto given = sized<gusset_net_copy_options>();
+    given.row_first = options.row_first;
+    given.row_count = options.row_count;
+    given.column_first = options.column_first;
+    given.column_count = options.column_count;
+    given.rows = options.rows;
+    given.columns = options.columns;
+    given.compact = options.compact ? 1 : 0;
+    given.row_replication = static_cast<gusset_replication>(options.row_replication);
+    given.column_replication = static_cast<gusset_replication>(options.column_replication);
+    given.turn = static_cast<gusset_net_turn>(options.turn);
+    given.scalar = static_cast<gusset_scalar>(options.scalar);
+    if (options.row_index) {
+        given.row_index = *options.row_index;
+        given.row_replication = GUSSET_REPLICATE_AT;
+    }
+    if (options.column_index) {
+        given.column_index = *options.column_index;
+        given.column_replication = GUSSET_REPLICATE_AT;
+    }
+    return given;
+}
+
+inline gusset_concatenate_options as_c(const ConcatenateOptions &options) {
+    auto given = sized<gusset_concatenate_options>();
+    given.tolerance = options.tolerance;
+    given.properties = options.properties;
+    given.direction = static_cast<gusset_direction>(options.direction);
+    given.mode = static_cast<gusset_bridge_mode>(options.mode);
+    given.equalise = static_cast<gusset_replication>(options.equalise);
+    given.twist = options.twist;
+    given.turn = options.turn ? 1 : 0;
+    given.rows = options.rows;
+    if (options.equalise_index) {
+        given.equalise_index = *options.equalise_index;
+        given.equalise = GUSSET_REPLICATE_AT;
+    }
+    return given;
+}
+
+inline gusset_net_analysis_options as_c(const NetAnalysisOptions &options) {
+    auto given = sized<gusset_net_analysis_options>();
+    given.after = options.after;
+    given.fields = first(options.fields);
+    given.field_count = options.fields.size();
+    given.time = options.time;
+    given.tolerance = options.tolerance;
+    return given;
+}
+gusset_net_analysis_options as_c(const NetAnalysisOptions &&) = delete;
+
+inline gusset_planarise_options as_c(const PlanariseOptions &options) {
+    auto given = sized<gusset_planarise_options>();
+    given.tolerance = options.tolerance;
+    given.fixed = first(options.fixed);
+    given.fixed_count = options.fixed.size();
+    given.max_iterations = options.max_iterations;
+    given.keep_boundary = options.keep_boundary ? 1 : 0;
+    return given;
+}
+gusset_planarise_options as_c(const PlanariseOptions &&) = delete;
+
+inline gusset_settle_options as_c(const SettleOptions &options) {
+    auto given = sized<gusset_settle_options>();
+    given.tolerance = options.tolerance;
+    given.rest_ratio = options.rest_ratio;
+    given.reference = options.reference;
+    given.free = first(options.free);
+    given.free_count = options.free.size();
+    given.max_iterations = options.max_iterations;
+    return given;
+}
+gusset_settle_options as_c(const SettleOptions &&) = delete;
+} // namespace detail
+
+} // namespace gusset
+
+#endif // GUSSET_NET_OPTIONS_HPP

@@ -1,0 +1,36 @@
+/// @file
+/// The options of gusset/stream.h. Where a comment says NULL, an empty list or options without changes are meant.
+/// Generated from src/capi; do not edit. Include gusset.hpp, not this.
+#ifndef GUSSET_STREAM_OPTIONS_HPP
+#define GUSSET_STREAM_OPTIONS_HPP
+
+#include <gusset/span.hpp>
+
+namespace gusset {
+
+/// Options of gusset_net_encode_create. See ::gusset_stream_options.
+struct StreamOptions {
+    /// Rows of each independently coded block. 0: about 2^17 nodes a block, or one block for RAW.
+    std::size_t rows_per_block = 0;
+    /// Storage of coordinates in a stream.
+    StreamMode mode = StreamMode::quantised;
+    /// QUANTISED: bits of a coordinate, 8 to 24; 0: 14. Else 0.
+    uint32_t bits = 0;
+    /// QUANTISED, 1: each axis has its own step; 0: the longest extent gives the step of all. Else 0.
+    bool per_axis = false;
+};
+
+namespace detail {
+inline gusset_stream_options as_c(const StreamOptions &options) {
+    auto given = sized<gusset_stream_options>();
+    given.rows_per_block = options.rows_per_block;
+    given.mode = static_cast<gusset_stream_mode>(options.mode);
+    given.bits = options.bits;
+    given.per_axis = options.per_axis ? 1 : 0;
+    return given;
+}
+} // namespace detail
+
+} // namespace gusset
+
+#endif // GUSSET_STREAM_OPTIONS_HPP
