@@ -56,7 +56,7 @@ picture("python_pieces", [("four pieces", pieces, {"scalars": "piece", "clim": (
 made = gm.join(pieces, fill=True)
 for joint in made.joints:
     print(f"{joint.face_count} faces across a gap of {joint.gap:.3f}")
-print(f"{len(made.account.holes)} holes filled, {made.account.loops_left} loops left")
+print(f"{len(made.report.holes)} holes filled, {made.report.loops_left} loops left")
 #! [account]
 
 #! [filters]

@@ -4,16 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import Any, ClassVar, Optional
+from typing import Any, Generic, Optional, TypeVar
 
 from numpy.typing import ArrayLike, NDArray
 
 from ._call import Progress, call
-from ._channels import Domain, Rule, carried
-from ._library import constants, ffi, lib, one_of
-from ._records import Record, filled
+from ._channels import carried
+from ._library import ffi, lib, number_of
+from ._records import Record
+from ._reports import OriginsView
+from .choices import Domain, Rule
 from .errors import error
 from .mesh import Mesh, lent_mesh
+
+R = TypeVar("R", bound=Record)
 
 
 def create(
@@ -37,39 +41,37 @@ def _made(kind: str, function: str, arguments: Any, threads: int, progress: Opti
 class Handle:
     """Owns a handle of one kind; it is freed with the last that needs it."""
 
-    KIND: ClassVar[str]
-
     def __init__(self, handle: Any):
         self._handle = handle
 
     def __reduce__(self) -> Any:
         raise TypeError(f"a {type(self).__name__} stays in its process: send its mesh or its arrays")
 
+
+class Reported(Handle, Generic[R]):
+    """A handle with a report."""
+
+    #: The class of the report.
+    REPORT: type[R]
+
     @cached_property
-    def account(self) -> Record:
-        """What was done: the view of the result in ``gusset.h``."""
-        return filled(getattr(lib, f"gusset_{self.KIND}_get_view"), f"gusset_{self.KIND}_view", self._handle)
+    def report(self) -> R:
+        """The report or view of the handle in ``gusset.h``: numbers, words and arrays."""
+        return self.REPORT.read(self._handle)
 
 
 class Origins(Handle):
     """Where the elements of a result come from: of each the sources in the inputs, and how much each counts."""
 
-    KIND = "origins"
-
-    def of(self, domain: Domain) -> Record:
+    def of(self, domain: Domain) -> OriginsView:
         """``offsets``, ``sources``, ``weights`` and ``starts`` of vertices, corners or faces."""
-        struct = ffi.new("struct gusset_origins_view *")
-        struct.struct_size = ffi.sizeof("struct gusset_origins_view")
-        status = lib.gusset_origins_get_view(self._handle, one_of(constants("GUSSET_DOMAIN_"), "domain", domain), struct)
-        if status != 0:
-            raise error(status, "")
-        return Record(struct[0], (struct, self._handle))
+        return OriginsView.read(self._handle, number_of("gusset_domain", "domain", domain))
 
     def carry(
         self, values: Sequence[Optional[ArrayLike]], domain: Domain = "vertices", rule: Rule = "linear", *, max_influences: int = 0
     ) -> NDArray[Any]:
         """The values of the result's elements, of those of the inputs' elements: one array for each input, or None."""
-        count = self.of(domain)._struct.offsets.count - 1
+        count = len(self.of(domain).offsets) - 1
 
         def apply(channel: Any, inputs: Any, input_count: int, out: Any, room: int) -> None:
             call(lib.gusset_attributes_apply, self._handle, channel, inputs, input_count, out, room, 0)
@@ -77,13 +79,8 @@ class Origins(Handle):
         return carried(apply, "gusset", values, count, domain, rule, max_influences)
 
 
-class MeshResult(Handle):
+class Result(Reported[R]):
     """A mesh that an operation made, its report, and where its elements come from."""
-
-    @cached_property
-    def account(self) -> Record:
-        """The report of the operation in ``gusset.h``."""
-        return filled(getattr(lib, f"gusset_result_get_{self.KIND}"), f"gusset_{self.KIND}_report", self._handle)
 
     def _lent_mesh(self, function: Any) -> Mesh:
         view = ffi.new("struct gusset_mesh_view *")

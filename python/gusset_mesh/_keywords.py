@@ -4,21 +4,17 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Mapping
-from typing import Any, Optional
+from typing import Any
 
 import numpy as np
 
 from ._arrays import indices_of, pointer
-from ._library import ffi, holding
+from ._library import bits_of, ffi, holding, one_of
 from ._options import FIELDS
-from ._records import indices_struct
+from ._records import dtype_of, indices_struct
 
 
-#: Arrays of points: three numbers an item, which is what their count counts.
-_POINTS = {"viewpoints", "axis_points"}
-
-
-def _array(struct: Any, field: str, value: Any, kept: list[Any], lengths: Mapping[str, int]) -> None:
+def _array(struct: Any, field: str, value: Any, shape: tuple[str, ...], kept: list[Any], lengths: Mapping[str, int]) -> None:
     """An array of numbers or of structs, and how many there are."""
     ctype = dict(ffi.typeof(struct).item.fields)[field].type
     if ctype.kind == "struct":  # gusset_indices
@@ -26,30 +22,24 @@ def _array(struct: Any, field: str, value: Any, kept: list[Any], lengths: Mappin
         setattr(struct, field, indices_struct(array))
         kept.append(array)
         return
-    item = ctype.item
+    item, counter, inner = ctype.item, shape[0], tuple(map(int, shape[1:]))
     if item.kind == "struct":
         made = ffi.new(f"{item.cname}[]", [one if isinstance(one, dict) else _fields(item, one) for one in value])
         count = len(made)
     else:
-        dtype = {"double": np.float64, "uint32_t": np.uint32, "uint8_t": np.uint8}[item.cname]
+        dtype = dtype_of(item)
         numbers: Any = indices_of(value, field).reshape(-1) if dtype == np.uint32 else np.ascontiguousarray(value, dtype)
-        if field in _POINTS and (numbers.ndim != 2 or numbers.shape[1] != 3):
-            raise ValueError(f"{field} have the shape {numbers.shape}, not (n, 3)")
+        if numbers.shape[1:] != inner or numbers.ndim == 0:
+            raise ValueError(f"{field} have the shape {numbers.shape}, not ({', '.join(['n', *shape[1:]])})")
         made, count = ffi.cast(f"{item.cname} *", pointer(numbers)), len(numbers)
         kept.append(numbers)
-        # What no field beside it counts is as long as what it belongs to.
-        if not _counter(struct, field) and count != lengths.get(field):
-            raise ValueError(f"{field} are {count}, not {lengths.get(field, 0)}")
     kept.append(made)
     setattr(struct, field, made)
-    name = _counter(struct, field)
-    if name:
-        setattr(struct, name, count)
-
-
-def _counter(struct: Any, field: str) -> Optional[str]:
-    """The field that counts an array."""
-    return next((f"{stem}_count" for stem in (field.removesuffix("s"), field) if hasattr(struct, f"{stem}_count")), None)
+    if hasattr(struct, counter):
+        setattr(struct, counter, count)
+    elif count != lengths.get(counter, 0):
+        # An argument of the function counts it.
+        raise ValueError(f"{field} are {count}, not {lengths.get(counter, 0)}")
 
 
 def _paths(value: Any) -> Any:
@@ -84,7 +74,7 @@ def options(name: str, keywords: Mapping[str, Any], lengths: Mapping[str, int] =
     """A struct of options; NULL for the defaults.
 
     Args:
-        lengths: how long arrays are that no field counts.
+        lengths: the arguments of the function that count arrays of the options, as ``{"loop_count": 2}``.
 
     Raises:
         TypeError: there is no such keyword.
@@ -104,25 +94,25 @@ def options(name: str, keywords: Mapping[str, Any], lengths: Mapping[str, int] =
             raise TypeError(f"no option {keyword!r}: there are {', '.join(fields)}")
         if value is None:
             continue
-        what, words, needs = fields[keyword]
+        kind, words, needs, shape = fields[keyword]
         if needs and needs[0] not in keywords:
             # A length that is read in one mode only asks for that mode.
-            setattr(struct, needs[0], fields[needs[0]][1].get(needs[1], 1))
-        if what == "choice":
-            if not isinstance(value, str) or value not in words:
-                raise ValueError(f"{keyword} is {value!r}: there are {', '.join(map(repr, words))}")
-            setattr(struct, keyword, words[value])
-        elif what.startswith("options:"):
+            setattr(struct, needs[0], fields[needs[0]].words.get(needs[1], 1))
+        if kind == "choice":
+            setattr(struct, keyword, one_of(words, keyword, value))
+        elif kind == "bits":
+            setattr(struct, keyword, bits_of(words, keyword, value))
+        elif kind == "options":
             if not isinstance(value, Mapping):
                 raise TypeError(f"{keyword} is {value!r}: a dictionary of options is wanted")
             inner = options(_struct_of(struct, keyword), value)
             kept.append(inner)
             setattr(struct, keyword, inner)
-        elif what == "array":
-            _array(struct, keyword, value, kept, lengths)
+        elif kind == "array":
+            _array(struct, keyword, value, shape, kept, lengths)
         else:
             try:
-                setattr(struct, keyword, list(value) if what == "row" else _number(keyword, what, value))
+                setattr(struct, keyword, list(value) if kind == "row" else _number(keyword, kind, value))
             except (OverflowError, IndexError):
                 raise ValueError(f"{keyword} is {value!r}, which is out of range") from None
     # What the struct points to lives as long as it does.

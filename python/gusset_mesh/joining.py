@@ -4,22 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
-from typing import Any, Optional
+from typing import Any, Optional, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import indices_of
 from ._call import Progress
-from ._handles import Handle, MeshResult, create, result
+from ._handles import Reported, Result, create, result
 from ._keywords import options as structs
 from ._library import ffi, holding, lib
-from ._options import (AlignOptions, BoundaryOptions, DevelopOptions, FillOptions, JoinOptions, OrientOptions, StitchOptions, TrimOptions, Unpack,
-                       WeldOptions)
-from ._records import Record, filled, indices_struct
+from ._options import (AlignmentOptions, BoundaryOptions, DevelopOptions, FillOptions, JoinOptions, OrientOptions, StitchOptions, TrimOptions,
+                       Unpack, WeldOptions)
+from ._records import indices_struct
+from ._reports import (AlignmentView, BoundaryView, CheckView, DevelopReport, FillReport, HoleArray, JoinReport, Joint, LoopView, OrientReport,
+                       QualityReport, SewReport, StitchReport, TrimView, WeldReport)
 from .mesh import Mesh, MeshLike, as_mesh, of_one_precision, view_of, views_of
 
-__all__ = ["Aligned", "Boundary", "Checked", "Developed", "Filled", "Joined", "Oriented", "Sewn", "Stitched", "Trimmed", "Welded",
+__all__ = ["Alignment", "Boundary", "Check", "Development", "Fill", "Join", "Orient", "Sew", "Stitch", "Trim", "Weld",
            "align", "boundary_loops", "check", "develop", "fill", "join", "orient", "sew", "stitch", "trim", "weld"]
 
 
@@ -41,23 +43,25 @@ def _are_small(meshes: Sequence[Mesh]) -> bool:
     return sum(len(mesh.corners) for mesh in meshes) < 3000
 
 
-class Boundary(Handle, Sequence[Record]):
-    """The boundary loops of a mesh: each has ``vertices``, ``half_edges``, ``faces`` and ``length``."""
+class Boundary(Reported[BoundaryView], Sequence[LoopView]):
+    """The boundary loops of a mesh; ``report`` has its defects."""
 
-    KIND = "boundary"
+    REPORT = BoundaryView
 
     def __len__(self) -> int:
-        return int(self.account.loop_count)
+        return self.report.loop_count
 
-    def __getitem__(self, index: Any) -> Any:
-        if isinstance(index, slice):
-            return [self[k] for k in range(*index.indices(len(self)))]
-        if not -len(self) <= index < len(self):
-            raise IndexError(index)
-        place = index % len(self)
-        return filled(lambda handle, view: lib.gusset_boundary_get_loop(handle, place, view), "gusset_loop_view", self._handle)
+    @overload
+    def __getitem__(self, index: int) -> LoopView: ...
 
-    def __iter__(self) -> Iterator[Record]:
+    @overload
+    def __getitem__(self, index: slice) -> list[LoopView]: ...
+
+    def __getitem__(self, index: Union[int, slice]) -> Union[LoopView, list[LoopView]]:
+        places = range(len(self))[index]
+        return [self[k] for k in places] if isinstance(places, range) else LoopView.read(self._handle, places)
+
+    def __iter__(self) -> Iterator[LoopView]:
         return (self[k] for k in range(len(self)))
 
 
@@ -80,95 +84,92 @@ def boundary_loops(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progr
     return Boundary(_create("boundary", [as_mesh(mesh)], structs("boundary_options", options), threads=threads, progress=progress))
 
 
-class Checked(Handle):
-    """What a mesh is: ``account`` has the elements at fault."""
+class Check(Reported[CheckView]):
+    """What a mesh is; ``report`` has the elements at fault."""
 
-    KIND = "check"
-
-    def _has(self, bit: str) -> bool:
-        return bool(self.account.properties & getattr(lib, f"GUSSET_MESH_{bit}"))
+    REPORT = CheckView
 
     @property
     def is_manifold(self) -> bool:
         """No edge has three faces or more, and no vertex several fans."""
-        return self._has("MANIFOLD")
+        return "manifold" in self.report.properties
 
     @property
     def is_oriented(self) -> bool:
         """Neighbouring faces run the same way."""
-        return self._has("ORIENTED")
+        return "oriented" in self.report.properties
 
     @property
     def is_closed(self) -> bool:
         """Every edge has two faces."""
-        return self._has("CLOSED")
+        return "closed" in self.report.properties
 
     def __repr__(self) -> str:
         said = [word for word, holds in (("manifold", self.is_manifold), ("oriented", self.is_oriented), ("closed", self.is_closed)) if holds]
-        return f"<Checked: {', '.join(said) or 'none of manifold, oriented, closed'}>"
+        return f"<Check: {', '.join(said) or 'none of manifold, oriented, closed'}>"
 
 
-def check(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None) -> Checked:
+def check(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None) -> Check:
     """Whether a mesh is manifold, oriented and closed, and where it is not.
 
     >>> check(([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
-    <Checked: manifold, oriented>
+    <Check: manifold, oriented>
     """
-    return Checked(_create("check", [as_mesh(mesh)], threads=threads, progress=progress))
+    return Check(_create("check", [as_mesh(mesh)], threads=threads, progress=progress))
 
 
-class Welded(MeshResult):
+class Weld(Result[WeldReport]):
     """A mesh whose vertices that lay together are one."""
 
-    KIND = "weld"
+    REPORT = WeldReport
 
 
-def weld(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[WeldOptions]) -> Welded:
+def weld(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[WeldOptions]) -> Weld:
     """Makes vertices that lie together one; ``tolerance=0.1`` says how near, else no farther than rounding can have put them.
 
     >>> apart = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [3, 4, 5]]
     >>> weld(apart, unused="remove").mesh.vertex_count
     4
     """
-    return Welded(_result("weld", [as_mesh(mesh)], structs("weld_options", options), threads=threads, progress=progress))
+    return Weld(_result("weld", [as_mesh(mesh)], structs("weld_options", options), threads=threads, progress=progress))
 
 
-class Sewn(MeshResult):
+class Sew(Result[SewReport]):
     """A mesh whose borders that lay together are joined, edges split where they had to be."""
 
-    KIND = "sew"
+    REPORT = SewReport
 
 
-def sew(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[WeldOptions]) -> Sewn:
+def sew(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[WeldOptions]) -> Sew:
     """Joins borders that lie together although their vertices do not match: edges are split.
 
     >>> long = [[0, 0, 0], [2, 0, 0], [1, 1, 0]], [[0, 1, 2]]
     >>> short = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [1, -1, 0]], [[1, 0, 3], [2, 1, 3]]
     >>> both = long[0] + short[0], long[1] + [[v + 3 for v in face] for face in short[1]]
-    >>> sew(both, unused="remove").account.splits
+    >>> sew(both, unused="remove").report.splits
     1
     """
-    return Sewn(_result("sew", [as_mesh(mesh)], structs("weld_options", options), threads=threads, progress=progress))
+    return Sew(_result("sew", [as_mesh(mesh)], structs("weld_options", options), threads=threads, progress=progress))
 
 
-class Oriented(MeshResult):
+class Orient(Result[OrientReport]):
     """A mesh whose faces run the same way within each component."""
 
-    KIND = "orient"
+    REPORT = OrientReport
 
 
-def orient(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[OrientOptions]) -> Oriented:
+def orient(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[OrientOptions]) -> Orient:
     """Turns over faces so that neighbours run the same way; ``outward="closed"``: closed components face outwards.
 
-    >>> orient(([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 3, 2]])).account.turned_faces
+    >>> orient(([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 3, 2]])).report.turned_faces
     1
     """
-    return Oriented(_result("orient", [as_mesh(mesh)], structs("orient_options", options), threads=threads, progress=progress))
+    return Orient(_result("orient", [as_mesh(mesh)], structs("orient_options", options), threads=threads, progress=progress))
 
 
 def _loops(loops: Iterable[Any]) -> Any:
     """Loops by their vertices, or as :func:`boundary_loops` gives them."""
-    given = [loop.vertices if isinstance(loop, Record) else loop for loop in loops]
+    given = [loop.vertices if isinstance(loop, LoopView) else loop for loop in loops]
     if any(np.ndim(loop) != 1 or np.size(loop) == 0 for loop in given):
         raise ValueError("a loop is a list of vertices")
     arrays = [indices_of(loop, "a loop's vertices") for loop in given]
@@ -176,10 +177,10 @@ def _loops(loops: Iterable[Any]) -> Any:
     return holding(ffi.new("struct gusset_indices[]", [indices_struct(array) for array in arrays] or 1), arrays)
 
 
-class Stitched(MeshResult):
+class Stitch(Result[StitchReport]):
     """Two rims and what joins them."""
 
-    KIND = "stitch"
+    REPORT = StitchReport
 
     @cached_property
     def strip(self) -> Mesh:
@@ -187,15 +188,15 @@ class Stitched(MeshResult):
         return self._lent_mesh(lib.gusset_result_get_strip_mesh)
 
     @cached_property
-    def quality(self) -> Record:
+    def quality(self) -> QualityReport:
         """Measures of the strip and of the result."""
-        return filled(lib.gusset_result_get_quality, "gusset_quality_report", self._handle)
+        return QualityReport.read(self._handle)
 
 
 def stitch(
     a: MeshLike, b: Optional[MeshLike] = None, *, loop_a: Optional[ArrayLike] = None, loop_b: Optional[ArrayLike] = None, threads: int = 0,
     progress: Optional[Progress] = None, **options: Unpack[StitchOptions]
-) -> Stitched:
+) -> Stitch:
     """Joins two boundary loops by a strip of faces, or by a blend that goes on both surfaces smoothly (``finish="blend"``).
 
     Args:
@@ -215,31 +216,30 @@ def stitch(
     of = [ffi.NULL if loop is None else _loops([loop]) for loop in (loop_a, loop_b)]
     meshes = of_one_precision([a] if b is None else [a, b])
     views = [view_of(mesh) for mesh in meshes]
-    return Stitched(result("stitch", views[0], of[0], views[1] if b is not None else ffi.NULL, of[1], structs("stitch_options", options),
+    return Stitch(result("stitch", views[0], of[0], views[1] if b is not None else ffi.NULL, of[1], structs("stitch_options", options),
                            threads=threads, progress=progress))
 
 
-class Filled(MeshResult):
+class Fill(Result[FillReport]):
     """A mesh whose holes are filled."""
 
-    KIND = "fill"
+    REPORT = FillReport
 
     @property
-    def holes(self) -> NDArray[Any]:
-        """An account of each loop that was looked at."""
-        found: NDArray[Any] = self.account.holes
-        return found
+    def holes(self) -> HoleArray:
+        """What became of each loop."""
+        return self.report.holes
 
     @cached_property
-    def quality(self) -> Record:
+    def quality(self) -> QualityReport:
         """Measures of the new faces and of the result."""
-        return filled(lib.gusset_result_get_quality, "gusset_quality_report", self._handle)
+        return QualityReport.read(self._handle)
 
 
 def fill(
     mesh: MeshLike, loops: Optional[Iterable[Any]] = None, *, threads: int = 0, progress: Optional[Progress] = None,
     **options: Unpack[FillOptions]
-) -> Filled:
+) -> Fill:
     """Fills holes: all loops, or those given by their vertices.
 
     ``refine="rim_density", fairing="thin_plate"`` makes patches as fine as their rims that go on the surface round them.
@@ -250,50 +250,47 @@ def fill(
     """
     listed = None if loops is None else list(loops)
     given = _loops(listed) if listed is not None else ffi.NULL
-    return Filled(_result("fill", [as_mesh(mesh)], given, len(listed or ()), structs("fill_options", options, {"groups": len(listed or ())}),
+    return Fill(_result("fill", [as_mesh(mesh)], given, len(listed or ()), structs("fill_options", options, {"loop_count": len(listed or ())}),
                          threads=threads, progress=progress))
 
 
-class Joined(MeshResult):
+class Join(Result[JoinReport]):
     """Many pieces in one mesh."""
 
-    KIND = "join"
+    REPORT = JoinReport
 
     @property
-    def joints(self) -> list[Record]:
+    def joints(self) -> list[Joint]:
         """The pairs of loops that face each other, and what became of them."""
-        found: list[Record] = self.account.joints
-        return found
+        return self.report.joints
 
 
 def join(
     pieces: Sequence[MeshLike], *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[JoinOptions]
-) -> Joined:
+) -> Join:
     """Joins many pieces: borders that lie together are welded, those that face each other joined by strips.
 
     ``fill=True`` fills what holes are left; ``overlaps="trim"`` keeps one of surfaces that lie on one another, as scans do.
 
     >>> left = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 0], [2, 1, 0]], [[0, 1, 4, 3], [1, 2, 5, 4]]
     >>> right = [[x + 2, y, z] for x, y, z in left[0]], left[1]
-    >>> join([left, right]).account.welded_vertices
+    >>> join([left, right]).report.welded_vertices
     2
     """
     given = of_one_precision(pieces)
-    return Joined(_result("join", given, len(given), structs("join_options", options), threads=threads, progress=progress))
+    return Join(_result("join", given, len(given), structs("join_options", options), threads=threads, progress=progress))
 
 
-class Aligned(Handle):
+class Alignment(Reported[AlignmentView]):
     """Motions that bring pieces onto one another."""
 
-    KIND = "alignment"
+    REPORT = AlignmentView
 
     @cached_property
     def poses(self) -> NDArray[np.float64]:
         """(pieces, 4, 4): what moves each piece, as a matrix that points are multiplied by from the left."""
-        made = np.zeros((self.account.piece_count, 4, 4))
-        for pose, piece in zip(made, self.account.pieces["pose"]["rows"]):
-            pose[:3] = piece.reshape(3, 4)
-            pose[3, 3] = 1
+        made = np.zeros((len(self.report.pieces), 4, 4))
+        made[:, :3], made[:, 3, 3] = self.report.pieces.pose.rows, 1
         return made
 
     def moved(self, pieces: Sequence[MeshLike]) -> list[Mesh]:
@@ -306,41 +303,40 @@ class Aligned(Handle):
         return out
 
 
-def align(pieces: Sequence[MeshLike], *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[AlignOptions]) -> Aligned:
+def align(pieces: Sequence[MeshLike], *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[AlignmentOptions]) -> Alignment:
     """Turns and shifts pieces so that their overlaps fit; the first one stays."""
     given = of_one_precision(pieces)
-    return Aligned(_create("alignment", given, len(given), structs("alignment_options", options), threads=threads, progress=progress))
+    return Alignment(_create("alignment", given, len(given), structs("alignment_options", options), threads=threads, progress=progress))
 
 
-class Trimmed(Handle):
+class Trim(Reported[TrimView]):
     """Which faces of overlapping pieces stay."""
 
-    KIND = "trim"
+    REPORT = TrimView
 
 
-def trim(pieces: Sequence[MeshLike], *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[TrimOptions]) -> Trimmed:
-    """Of surfaces that lie on one another one stays: which faces of each piece do is in ``account``."""
+def trim(pieces: Sequence[MeshLike], *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[TrimOptions]) -> Trim:
+    """Of surfaces that lie on one another one stays: which faces of each piece do is in ``report``."""
     given = of_one_precision(pieces)
-    return Trimmed(_create("trim", given, len(given), structs("trim_options", options), threads=threads, progress=progress))
+    return Trim(_create("trim", given, len(given), structs("trim_options", options), threads=threads, progress=progress))
 
 
-class Developed(MeshResult):
+class Development(Result[DevelopReport]):
     """A surface laid out flat."""
 
-    KIND = "develop"
+    REPORT = DevelopReport
 
     @property
     def points(self) -> NDArray[np.float64]:
         """(n, 2): the vertices in the plane."""
-        found: NDArray[np.float64] = self.account.points
-        return found
+        return self.report.points
 
 
-def develop(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[DevelopOptions]) -> Developed:
+def develop(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[DevelopOptions]) -> Development:
     """Lays a surface out flat: cut along ``cuts``, unfolded where it can be, else with the least distortion.
 
     >>> roof = [[0, 0, 0], [0, 2, 0], [1, 0, 1], [1, 2, 1], [2, 0, 0], [2, 2, 0]], [[0, 2, 3, 1], [2, 4, 5, 3]]
-    >>> float(develop(roof).account.stretches.max().round(9))
+    >>> float(develop(roof).report.stretches.max().round(9))
     1.0
     """
-    return Developed(_result("develop", [as_mesh(mesh)], structs("develop_options", options), threads=threads, progress=progress))
+    return Development(_result("develop", [as_mesh(mesh)], structs("develop_options", options), threads=threads, progress=progress))

@@ -4,34 +4,32 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import Any, Literal, Optional, Union
+from typing import Any, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import pointer
 from ._call import Progress, call
-from ._handles import Handle, MeshResult, create, result
+from ._handles import Handle, Result, create, result
 from ._keywords import options as structs
-from ._library import constants, ffi, lib, one_of
+from ._library import bits_of, ffi, lib, number_of, one_of
 from ._options import ConcatenateOptions, NetMeshOptions, Unpack
-from ._records import Record, filled, lent
+from ._records import lent
+from ._reports import NetMeasureReport, NetMeshReport
+from .choices import NUMBERS, Direction, Interpolation, Sides
+from .errors import error
 from .mesh import MeshLike, as_mesh, view_of
 
 __all__ = ["Net", "NetMesh"]
 
-_SIDES = constants("GUSSET_SIDES_")
 _FLIPS = {"right": lib.GUSSET_NET_TURN_FLIP_COLUMNS, "down": lib.GUSSET_NET_TURN_FLIP_ROWS}
-_BETWEEN = constants("GUSSET_INTERPOLATION_")
-
-#: What becomes of the sides of a net; several words for several.
-Sides = Literal["sheet", "tube", "torus", "two_poles", "one_pole", "rows_closed", "columns_closed", "pole_top", "pole_bottom", "pole_left", "pole_right"]
 
 
-class NetMesh(MeshResult):
+class NetMesh(Result[NetMeshReport]):
     """The faces of a net."""
 
-    KIND = "net_mesh"
+    REPORT = NetMeshReport
 
 
 class Net(Handle):
@@ -47,8 +45,6 @@ class Net(Handle):
     >>> plane.measure().area, plane.mesh().mesh.face_count
     (2.0, 32)
     """
-
-    KIND = "net"
 
     def __init__(self, nodes: ArrayLike, sides: Union[Sides, Sequence[Sides]] = "sheet"):
         array = np.asarray(nodes)
@@ -70,8 +66,7 @@ class Net(Handle):
         view.scalar = lib.GUSSET_F32 if array.dtype == np.float32 else lib.GUSSET_F64
         glued = ffi.new("struct gusset_net_gluing *")
         glued.struct_size = ffi.sizeof("struct gusset_net_gluing")
-        for word in [sides] if isinstance(sides, str) else sides:
-            glued.sides |= one_of(_SIDES, "sides", word)
+        glued.sides = bits_of(NUMBERS["gusset_sides"], "sides", sides)
         super().__init__(create("net", view, glued, lib.GUSSET_NET_MEMORY_COPY))
 
     @classmethod
@@ -117,18 +112,23 @@ class Net(Handle):
         return cls._of(create("net", view_of(as_mesh(mesh)), given, ffi.NULL, name="net_from_mesh"))
 
     @cached_property
-    def account(self) -> Record:
-        return filled(lib.gusset_net_get_view, "gusset_net_view", self._handle)
+    def _view(self) -> Any:
+        view = ffi.new("struct gusset_net_view *")
+        view.struct_size = ffi.sizeof("struct gusset_net_view")
+        status = lib.gusset_net_get_view(self._handle, view)
+        if status != 0:
+            raise error(status, "")
+        return view
 
     @property
     def shape(self) -> tuple[int, int]:
         """Rows and columns of nodes."""
-        return int(self.account.rows), int(self.account.columns)
+        return self._view.rows, self._view.columns
 
     @property
     def nodes(self) -> NDArray[Any]:
         """(rows, columns, 3): a copy of the nodes."""
-        view = self.account._struct
+        view = self._view
         dtype = np.dtype(np.float32 if view.scalar == lib.GUSSET_F32 else np.float64)
         rows, columns = self.shape
         across = view.column_stride or dtype.itemsize
@@ -140,26 +140,25 @@ class Net(Handle):
             out[..., k] = np.lib.stride_tricks.as_strided(flat, (rows, columns), (down, across), writeable=False)
         return out
 
-    def measure(self) -> Record:
+    def measure(self) -> NetMeasureReport:
         """Its area, volume, area vector and box."""
-        made = ffi.new("struct gusset_net_measure_report *")
-        made.struct_size = ffi.sizeof("struct gusset_net_measure_report")
-        call(lib.gusset_net_measure, self._handle, lib.GUSSET_NET_MEASURES_EXTENT, made)
-        return Record(made[0], made)
+        made = NetMeasureReport.new()
+        call(lib.gusset_net_measure, self._handle, lib.GUSSET_NET_MEASURES_EXTENT, made._struct)
+        return made
 
     def mesh(self, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[NetMeshOptions]) -> NetMesh:
         """Its faces, as quads or triangles, nodes that are glued as one vertex."""
         return NetMesh(result("net_to_mesh", self._handle, structs("net_mesh_options", options), threads=threads, progress=progress))
 
-    def resampled(self, rows: int, columns: int, interpolation: Literal["bicubic", "bilinear"] = "bicubic") -> Net:
+    def resampled(self, rows: int, columns: int, interpolation: Interpolation = "bicubic") -> Net:
         """The same shape with other numbers of rows and columns."""
-        return self._of(create("net", self._handle, rows, columns, one_of(_BETWEEN, "interpolation", interpolation), name="net_resample"))
+        return self._of(create("net", self._handle, rows, columns, number_of("gusset_interpolation", "interpolation", interpolation), name="net_resample"))
 
     def transposed(self) -> Net:
         """Rows as columns."""
         return self._copied(turn=lib.GUSSET_NET_TURN_TRANSPOSE)
 
-    def flipped(self, direction: Literal["right", "down"] = "right") -> Net:
+    def flipped(self, direction: Direction = "right") -> Net:
         """Columns, or rows, in the reverse order."""
         return self._copied(turn=one_of(_FLIPS, "direction", direction))
 
