@@ -209,7 +209,7 @@ class Surface(Reported[SurfaceReport]):
 
     def hits(
         self, origins: ArrayLike, directions: ArrayLike, *, start: float = 0.0, end: float = np.inf,
-        select: HitSelection = "all", threads: int = 0, progress: Optional[Progress] = None,
+        selection: HitSelection = "all", threads: int = 0, progress: Optional[Progress] = None,
     ) -> SurfaceHits:
         """Where rays meet it: from origins (n, 3) along directions (n, 3), of which ``t`` counts lengths from ``start`` to ``end``."""
         starts, along = (np.atleast_2d(np.asarray(one, np.float64)) for one in (origins, directions))
@@ -219,7 +219,7 @@ class Surface(Reported[SurfaceReport]):
         lines = np.zeros(len(starts), _LINE)
         lines["origin"], lines["direction"], lines["from"], lines["to"] = starts, along, start, end
         return SurfaceHits(create("surface_hits", self._handle, ffi.cast("struct gusset_line *", pointer(lines)), len(lines), ffi.NULL,
-                                  number_of("gusset_hit_selection", "select", select), threads=threads, progress=progress))
+                                  number_of("gusset_hit_selection", "selection", selection), threads=threads, progress=progress))
 
     def evaluate(self, parameters: ArrayLike, sheet: int = 0) -> SurfacePointArray:
         """Points, derivatives, normals and curvatures at (n, 2) parameters u, v of a sheet: node (i, j) has u = i, v = j."""
