@@ -14,6 +14,8 @@ import textwrap
 
 HERE = pathlib.Path(__file__).resolve().parent
 INTERFACE = HERE.parent / "build/interface.json"
+#: Structs with keywords besides those of options.
+WITH_KEYWORDS = {"gusset_net_primitive"}
 #: Structs without a class: the errors of a call, and Leus's search, which the package leaves out.
 WITHOUT_CLASS = {"gusset_error_report", "gusset_mask_report", "gusset_reference_report"}
 NUMBERS = {
@@ -115,7 +117,7 @@ def keyword(interface, field):
 
 
 def options(interface):
-    structs = {name: fields for name, fields in interface.structs.items() if name.endswith("_options")}
+    structs = {name: fields for name, fields in interface.structs.items() if name.endswith("_options") or name in WITH_KEYWORDS}
     out = ['"""Keywords of structs of options, with what the C headers say of them. Written by generate.py; do not edit."""\n\n'
            "# fmt: off\nfrom __future__ import annotations\n\nimport sys\nfrom collections.abc import Collection, Sequence\n"
            "from typing import Literal, NamedTuple, Optional, Union\n\nfrom numpy.typing import ArrayLike\n\nfrom . import choices\n\n"

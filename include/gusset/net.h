@@ -469,6 +469,7 @@ typedef struct gusset_net_primitive {
     double size[3];
     /// Distance from the axis, at least 0, and height of each point, upwards, at any alignment. Points on the axis are
     /// poles. A closed profile makes a ring.
+    /// @shape profile_count 2
     const double *profile;
     /// Number of points, at least 2.
     size_t profile_count;

@@ -63,7 +63,7 @@ class Reported(Handle, Generic[R]):
 class Origins(Handle):
     """Where the elements of a result come from: of each the sources in the inputs, and how much each counts."""
 
-    def of(self, domain: Domain) -> OriginsView:
+    def view(self, domain: Domain) -> OriginsView:
         """``offsets``, ``sources``, ``weights`` and ``starts`` of vertices, corners or faces."""
         return OriginsView.read(self._handle, number_of("gusset_domain", "domain", domain))
 
@@ -71,7 +71,7 @@ class Origins(Handle):
         self, values: Sequence[Optional[ArrayLike]], domain: Domain = "vertices", rule: Rule = "linear", *, max_influences: int = 0
     ) -> NDArray[Any]:
         """The values of the result's elements, of those of the inputs' elements: one array for each input, or None."""
-        count = len(self.of(domain).offsets) - 1
+        count = len(self.view(domain).offsets) - 1
 
         def apply(channel: Any, inputs: Any, input_count: int, out: Any, room: int) -> None:
             call(lib.gusset_attributes_apply, self._handle, channel, inputs, input_count, out, room, 0)

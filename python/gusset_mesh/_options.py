@@ -300,6 +300,36 @@ class GlueOptions(TypedDict, total=False):
     snap: bool
 
 
+class NetPrimitive(TypedDict, total=False):
+    """Fields of ``gusset_net_primitive``; what is not given is as by default."""
+
+    #: Standard shape, the measures that it reads, the least rows x columns.
+    shape: choices.NetShape
+    #: Type of coordinates.
+    scalar: choices.Scalar
+    #: Rows of nodes; 0: 33. Boxes and lathes ignore it.
+    rows: int
+    #: Columns of nodes; 0: 65. Boxes ignore it.
+    columns: int
+    #: Above 0.
+    radius: float
+    #: Above 0.
+    minor_radius: float
+    #: Height along z, above 0.
+    height: float
+    #: Sizes along x, y and z, above 0.
+    size: Sequence[float]
+    #: Distance from the axis, at least 0, and height of each point, upwards, at any alignment. Points on the axis are
+    #: poles. A closed profile makes a ring.
+    profile: ArrayLike
+    #: Lateral faces of a prism or pyramid, at least 3.
+    sides: int
+    #: Layout of the caps of a box.
+    box_kind: choices.BoxKind
+    #: Cells of a box along x, y and z, at least 1 each.
+    cells: Sequence[int]
+
+
 class NetMeshOptions(TypedDict, total=False):
     """Fields of ``gusset_net_mesh_options``; what is not given is as by default."""
 
@@ -691,6 +721,20 @@ FIELDS: dict[str, dict[str, Keyword]] = {
         "detect": Keyword('flag'),
         "saturate": Keyword('flag'),
         "snap": Keyword('flag'),
+    },
+    "gusset_net_primitive": {
+        "shape": Keyword('choice', choices.NUMBERS['gusset_net_shape']),
+        "scalar": Keyword('choice', choices.NUMBERS['gusset_scalar']),
+        "rows": Keyword('int'),
+        "columns": Keyword('int'),
+        "radius": Keyword('float'),
+        "minor_radius": Keyword('float'),
+        "height": Keyword('float'),
+        "size": Keyword('row'),
+        "profile": Keyword('array', shape=('profile_count', '2')),
+        "sides": Keyword('int'),
+        "box_kind": Keyword('choice', choices.NUMBERS['gusset_box_kind']),
+        "cells": Keyword('row'),
     },
     "gusset_net_mesh_options": {
         "faces": Keyword('choice', choices.NUMBERS['gusset_net_faces']),

@@ -125,7 +125,7 @@ def test_a_linear_field_is_carried_exactly():
 
 def test_origins():
     made = gm.fill(shapes.tube())
-    origins = made.origins.of("vertices")
+    origins = made.origins.view("vertices")
     assert origins.offsets[-1] == len(origins.sources) == len(origins.weights)
     assert origins.starts.tolist() == [0, len(shapes.tube()[0])]
     with pytest.raises(ValueError):

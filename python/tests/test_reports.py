@@ -39,7 +39,7 @@ REPORTS = {
     "boundary": lambda: gm.boundary_loops(TUBE).report,
     "loop": lambda: gm.boundary_loops(TUBE)[0],
     "quality": lambda: gm.fill(TUBE).quality,
-    "origins": lambda: gm.fill(TUBE).origins.of("faces"),
+    "origins": lambda: gm.fill(TUBE).origins.view("faces"),
     "net_mesh": lambda: NET.mesh(texture=True).report,
     "net_measure": NET.measure,
     "sheet": lambda: WAVES.sheets[0].report,
