@@ -47,7 +47,7 @@ def documented(text, indent):
 
 
 class Interface:
-    """The description, by name."""
+    """The description of the interface, by name."""
 
     def __init__(self):
         described = json.loads(INTERFACE.read_text("utf-8"))
@@ -59,19 +59,15 @@ class Interface:
         self.words = {name: words_of(choice) for name, choice in self.choices.items()}
         self.numbers = {value["name"]: value["value"] for choice in self.choices.values() for value in choice["values"]}
 
-    def number(self, name):
-        """The C type of a number that may be a choice."""
-        return self.choices[name]["type"] if name in self.choices else name
-
     def choice(self, field):
-        """The choice whose constants a field has, whether they are bits; or None."""
+        """The choice of a field and whether its constants are bits; or None."""
         name = field.get("choice")
         name = field["type"] if name is True else name
         return name and (name, "bits" in self.choices[name])
 
 
 def words_of(choice):
-    """The values of a choice, by what their names do not share."""
+    """The values of a choice by word: the part of the name that differs."""
     names = [value["name"] for value in choice["values"]]
     shared = os.path.commonprefix([name + "_" for name in names]).rpartition("_")[0] + "_"
     return {value["name"].removeprefix(shared).lower(): value["value"] for value in choice["values"]}
@@ -95,12 +91,12 @@ def counters(fields):
 
 
 def keyword(interface, field):
-    """What a keyword takes and the arguments of its Keyword, or None if the field has none of its own."""
+    """The type of a keyword and the arguments of its Keyword; None if the field has no keyword."""
     kind, choice, pointers = field["type"], interface.choice(field), field.get("pointers", [])
     if kind.endswith("_options") and pointers:
         return camel(kind), ["options"]
     if kind in interface.handles or kind in interface.structs and kind != "gusset_indices" and not pointers:
-        return None  # an argument of its own
+        return None  # the function has an argument for it
     if pointers or kind == "gusset_indices":
         return "ArrayLike", ["array", *([f"shape={tuple(field['shape'].split(' '))!r}"] if "shape" in field else [])]
     if choice:
@@ -127,7 +123,7 @@ def options(interface):
            "    words: dict[str, int] = {}\n    #: The field and the word or number that it is read for.\n    needs: Optional[tuple[str, str]] = None\n"
            "    #: The sizes of an array: see `@shape` in the headers.\n    shape: tuple[str, ...] = ()\n"]
     table = ["\n\n#: By struct.\nFIELDS: dict[str, dict[str, Keyword]] = {\n"]
-    # Those that others have in them come first.
+    # Options that are fields of other options come first.
     for name, fields in sorted(structs.items(), key=lambda one: any(field["type"].endswith("_options") for field in one[1])):
         out.append(f"\n\nclass {camel(name)}(TypedDict, total=False):\n    \"\"\"Fields of ``{name}``; what is not given is as by default.\"\"\"\n\n")
         table.append(f"    \"{name}\": {{\n")
@@ -151,7 +147,7 @@ def options(interface):
 
 
 class Reports:
-    """Classes for the structs that functions fill, and for those that are elements of their arrays."""
+    """Classes for the structs that functions fill, and for the elements of their arrays."""
 
     def __init__(self, interface):
         self.interface = interface
@@ -160,7 +156,7 @@ class Reports:
                  if param["type"] in self.structs and param.get("pointers") == ["mut"]]
         for name in found:
             found += [field["type"] for field in self.structs[name] if field["type"] in self.structs and field["type"] not in found]
-        # Structs with memory of the caller are not reports.
+        # A struct with arrays of the caller is not a report.
         self.classes = [name for name in self.structs if name in found and name not in WITHOUT_CLASS | {"gusset_indices"}
                         and not any(field["type"] == "void" or field.get("pointers") == ["mut"] for field in self.structs[name])]
         self.getters = {}
@@ -170,16 +166,16 @@ class Reports:
                 self.getters[last["type"]] = function["name"]
 
     def is_plain(self, name):
-        """Whether numbers are all that is in a struct."""
+        """Whether a struct contains numbers only."""
         return all(not field.get("pointers") and (field["type"] not in self.structs or self.is_plain(field["type"])) and field["type"] != "gusset_indices"
                    for field in self.structs[name])
 
     def is_element(self, name):
-        """Whether arrays of it are numpy's."""
+        """Whether numpy has arrays of a struct."""
         return self.is_plain(name) and self.structs[name][0]["name"] != "struct_size"
 
     def size(self, name, size):
-        """A size of an array as an expression."""
+        """A size of an array, as an expression of Python."""
         if size == "*":
             return "-1"
         size = size.replace("/", " // ").replace("+", " + ")
@@ -191,7 +187,7 @@ class Reports:
         return " ".join([f"len(self.{field})" if is_array else f"self._struct.{field}", *rest])
 
     def array(self, name, field, read):
-        """The type of an array that is read by an expression, and what is made of it."""
+        """The type of an array, and the expression that converts what ``read`` gives."""
         kind, choice = field["type"], self.interface.choice(field)
         if kind in self.structs and kind != "gusset_indices":
             return f"{camel(kind)}Array", f"{camel(kind)}Array({read})"

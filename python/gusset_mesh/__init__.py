@@ -1,7 +1,7 @@
-"""Surfaces that come in pieces: stitching and mending of polygon meshes, nets of quads, smooth surfaces, outlines.
+"""Joins and repairs polygon meshes; has nets of quads, smooth surfaces and outlines.
 
-Meshes are numpy arrays, which the library reads where they are; results are arrays that it lends. Every call lets other threads run, and Ctrl-C
-stops it. What cannot be used raises :class:`InputError` with the element at fault.
+``join([a, b])`` makes one mesh of pieces. Meshes are numpy arrays, which the library reads in place. Results are arrays that the library lends.
+Other threads run during a call, and Ctrl-C stops it. Bad input raises :class:`InputError` with the element at fault.
 """
 
 from . import choices, filters

@@ -1,4 +1,4 @@
-"""Results that the library keeps: handles, what they lend, and what their elements come from."""
+"""Handles of the library, with their reports and the origins of their elements."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ R = TypeVar("R", bound=Record)
 def create(
     kind: str, *arguments: Any, threads: int = 0, progress: Optional[Progress] = None, name: Optional[str] = None, is_short: bool = False
 ) -> Any:
-    """Calls ``gusset_<name>_create`` with a context, these arguments and a handle to be made, which is returned."""
+    """Calls ``gusset_<name>_create`` with a context and these arguments, and returns the new handle."""
     return _made(kind, f"gusset_{name or kind}_create", arguments, threads, progress, is_short)
 
 
 def result(function: str, *arguments: Any, threads: int = 0, progress: Optional[Progress] = None, is_short: bool = False) -> Any:
-    """Calls ``gusset_<function>``, which makes a mesh, in the same way."""
+    """Calls ``gusset_<function>``, which makes a mesh, and returns the new ``gusset_result``."""
     return _made("result", f"gusset_{function}", arguments, threads, progress, is_short)
 
 
@@ -39,7 +39,7 @@ def _made(kind: str, function: str, arguments: Any, threads: int, progress: Opti
 
 
 class Handle:
-    """Owns a handle of one kind; it is freed with the last that needs it."""
+    """Owns a handle, which is destroyed once nothing refers to it."""
 
     def __init__(self, handle: Any):
         self._handle = handle
@@ -61,16 +61,16 @@ class Reported(Handle, Generic[R]):
 
 
 class Origins(Handle):
-    """Where the elements of a result come from: of each the sources in the inputs, and how much each counts."""
+    """The origins of the elements of a result: their sources in the inputs, with weights."""
 
     def view(self, domain: Domain) -> OriginsView:
-        """``offsets``, ``sources``, ``weights`` and ``starts`` of vertices, corners or faces."""
+        """The origins of vertices, corners or faces."""
         return OriginsView.read(self._handle, number_of("gusset_domain", "domain", domain))
 
     def carry(
         self, values: Sequence[Optional[ArrayLike]], domain: Domain = "vertices", rule: Rule = "linear", *, max_influences: int = 0
     ) -> NDArray[Any]:
-        """The values of the result's elements, of those of the inputs' elements: one array for each input, or None."""
+        """Carries values of elements over from the inputs to the result. ``values`` has an array, or None, for each input."""
         count = len(self.view(domain).offsets) - 1
 
         def apply(channel: Any, inputs: Any, input_count: int, out: Any, room: int) -> None:
@@ -80,7 +80,7 @@ class Origins(Handle):
 
 
 class Result(Reported[R]):
-    """A mesh that an operation made, its report, and where its elements come from."""
+    """A mesh that an operation made, with a report and the origins of its elements."""
 
     def _lent_mesh(self, function: Any) -> Mesh:
         view = ffi.new("struct gusset_mesh_view *")
@@ -92,20 +92,20 @@ class Result(Reported[R]):
 
     @cached_property
     def mesh(self) -> Mesh:
-        """The mesh; its arrays are the result's own, and cannot be written to."""
+        """The mesh. Its arrays belong to the result, and cannot be written to."""
         return self._lent_mesh(lib.gusset_result_get_mesh)
 
     @cached_property
     def origins(self) -> Origins:
-        """Where its vertices, corners and faces come from."""
+        """The origins of its vertices, corners and faces."""
         return Origins(create("origins", self._handle, name="result_origins"))
 
     def carry(
         self, values: Any, domain: Domain = "vertices", rule: Rule = "linear", *, max_influences: int = 0
     ) -> NDArray[Any]:
-        """The values of the result's elements, of those of the inputs': an array for each input in a list, or one of the only input.
+        """Carries values of elements over from the inputs to the result. ``values`` is a list with an array for each input, or one array.
 
-        Elements of one source have its value, bit for bit; new ones mix those of their sources as ``rule`` says.
+        An element with one source gets the source's value, bit for bit. Elements with several sources mix their values by ``rule``.
         """
         given = values if isinstance(values, (list, tuple)) else [values]
         return self.origins.carry(given, domain, rule, max_influences=max_influences)

@@ -15,7 +15,7 @@ from ._records import dtype_of, indices_struct
 
 
 def _array(struct: Any, field: str, value: Any, shape: tuple[str, ...], kept: list[Any], lengths: Mapping[str, int]) -> None:
-    """An array of numbers or of structs, and how many there are."""
+    """Sets an array of numbers or of structs, and the field that counts it."""
     ctype = dict(ffi.typeof(struct).item.fields)[field].type
     if ctype.kind == "struct":  # gusset_indices
         array = indices_of(value, field).reshape(-1)
@@ -38,12 +38,12 @@ def _array(struct: Any, field: str, value: Any, shape: tuple[str, ...], kept: li
     if hasattr(struct, counter):
         setattr(struct, counter, count)
     elif count != lengths.get(counter, 0):
-        # An argument of the function counts it.
+        # An argument of the function counts the array.
         raise ValueError(f"{field} are {count}, not {lengths.get(counter, 0)}")
 
 
 def _paths(value: Any) -> Any:
-    """Paths as one list, and where each begins: of a sequence of sequences several."""
+    """Paths as one list and the start of each; one path, or a sequence of paths."""
     items = list(value)
     if not items or np.ndim(items[0]) == 0:
         return items, None
@@ -51,19 +51,19 @@ def _paths(value: Any) -> Any:
 
 
 def _number(keyword: str, what: str, value: Any) -> Any:
-    """A number or a flag as C takes it."""
+    """Converts a number or a flag."""
     if what == "flag":
         if isinstance(value, (bool, np.bool_)) or (isinstance(value, (int, np.integer)) and value in (0, 1)):
             return int(value)
-        raise TypeError(f"{keyword} is {value!r}: True or False is wanted")
+        raise TypeError(f"{keyword} is {value!r}: pass True or False")
     try:
         return float(value) if what == "float" and not isinstance(value, str) else operator.index(value)
     except TypeError:
-        raise TypeError(f"{keyword} is {value!r}: a {'number' if what == 'float' else 'whole number'} is wanted") from None
+        raise TypeError(f"{keyword} is {value!r}: pass {'a number' if what == 'float' else 'an integer'}") from None
 
 
 def _fields(item: Any, value: Any) -> Any:
-    """What a struct of numbers begins with: a matrix fills the array that it has."""
+    """The first fields of a struct of numbers. A matrix fills the only field of a struct."""
     fields = [field for name, field in item.fields if name not in ("struct_size", "reserved")]
     if len(fields) == 1 and fields[0].type.kind == "array":
         return [np.asarray(value, np.float64).reshape(-1)[: fields[0].type.length].tolist()]
@@ -71,14 +71,14 @@ def _fields(item: Any, value: Any) -> Any:
 
 
 def options(name: str, keywords: Mapping[str, Any], lengths: Mapping[str, int] = {}) -> Any:
-    """A struct of options; NULL for the defaults.
+    """Makes a struct of options; NULL for the defaults.
 
     Args:
         lengths: the arguments of the function that count arrays of the options, as ``{"loop_count": 2}``.
 
     Raises:
-        TypeError: there is no such keyword.
-        ValueError: a keyword has no such word.
+        TypeError: a keyword is unknown.
+        ValueError: a word of a keyword is unknown.
     """
     if not keywords:
         return ffi.NULL
@@ -96,7 +96,7 @@ def options(name: str, keywords: Mapping[str, Any], lengths: Mapping[str, int] =
             continue
         kind, words, needs, shape = fields[keyword]
         if needs and needs[0] not in keywords:
-            # A length that is read in one mode only asks for that mode.
+            # A field that is read in one mode only selects this mode.
             setattr(struct, needs[0], fields[needs[0]].words.get(needs[1], 1))
         if kind == "choice":
             setattr(struct, keyword, one_of(words, keyword, value))
@@ -104,7 +104,7 @@ def options(name: str, keywords: Mapping[str, Any], lengths: Mapping[str, int] =
             setattr(struct, keyword, bits_of(words, keyword, value))
         elif kind == "options":
             if not isinstance(value, Mapping):
-                raise TypeError(f"{keyword} is {value!r}: a dictionary of options is wanted")
+                raise TypeError(f"{keyword} is {value!r}: pass a dictionary of options")
             inner = options(_struct_of(struct, keyword), value)
             kept.append(inner)
             setattr(struct, keyword, inner)
@@ -115,7 +115,7 @@ def options(name: str, keywords: Mapping[str, Any], lengths: Mapping[str, int] =
                 setattr(struct, keyword, list(value) if kind == "row" else _number(keyword, kind, value))
             except (OverflowError, IndexError):
                 raise ValueError(f"{keyword} is {value!r}, which is out of range") from None
-    # What the struct points to lives as long as it does.
+    # The struct keeps alive what it points to.
     return holding(struct, kept) if kept else struct
 
 

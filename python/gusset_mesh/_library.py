@@ -18,7 +18,7 @@ F32, F64 = 1, 2
 
 
 def constants(prefix: str) -> dict[str, int]:
-    """What begins with a prefix, by the rest of its name in lower case."""
+    """Constants that begin with a prefix, by the rest of their names in lower case."""
     return {
         name.removeprefix(prefix).lower(): getattr(lib, name)
         for name in dir(lib)
@@ -47,12 +47,12 @@ def bits_of(words: dict[str, int], name: str, given: Union[str, Iterable[object]
 
 
 def text(pointer: Any) -> str:
-    """What a pointer of the library to a text says; nothing if it is NULL."""
+    """The text at a pointer of the library; empty for NULL."""
     return str(ffi.string(pointer).decode("utf-8")) if pointer else ""
 
 
 def holding(pointer: Any, *things: Any) -> Any:
-    """A pointer that keeps what it points to: the things live as long as it does."""
+    """A pointer that keeps things alive."""
     return ffi.gc(pointer, lambda _: things)
 
 

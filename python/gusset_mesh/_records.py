@@ -1,4 +1,4 @@
-"""Structs of the library as Python objects: what the classes of ``_reports`` are made of."""
+"""Base classes of the structs in ``_reports``."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ W = TypeVar("W", bound=str)
 
 
 class _Lent:
-    """What numpy makes an array of that keeps what owns its memory."""
+    """Memory from which numpy makes an array that keeps the owner alive."""
 
     __slots__ = ("__array_interface__", "owner")
 
@@ -36,22 +36,22 @@ class _Lent:
 
 
 def lent(pointer: Any, shape: tuple[int, ...], dtype: Any, owner: object) -> NDArray[Any]:
-    """An array that reads the library's memory, which lives as long as the array; it cannot be written to."""
+    """A read-only array in the memory of the library, which lives as long as the array."""
     dtype = np.dtype(dtype)
     if not pointer or 0 in shape:
         return np.empty(shape, dtype)
-    # The names of fields do not go that way.
+    # The interface of arrays has no names of fields.
     array = np.asarray(_Lent(pointer, shape, dtype, owner))
     return array if dtype.names is None else array.view(dtype)
 
 
 def indices_struct(array: NDArray[np.uint32]) -> Any:
-    """A gusset_indices of an array, which must stay alive."""
+    """Makes a gusset_indices of an array, which must stay alive."""
     return {"data": ffi.cast("uint32_t *", array.ctypes.data), "count": array.size}
 
 
 def dtype_of(ctype: Any) -> np.dtype[Any]:
-    """The numpy type of a C type of numbers or of a struct of numbers, with its padding."""
+    """The numpy type of a C number, an array of numbers, or a struct of these, with its padding."""
     if ctype.kind == "primitive":
         return np.dtype(_DTYPES[ctype.cname])
     if ctype.kind == "array":
@@ -67,7 +67,7 @@ def dtype_of(ctype: Any) -> np.dtype[Any]:
 
 @lru_cache(maxsize=None)
 def _table(choice: str) -> tuple[dict[int, str], NDArray[Any], NDArray[np.str_]]:
-    """The words of a choice by their numbers; the rising numbers, and their words."""
+    """The words of a choice by number; the numbers in increasing order, and their words."""
     by_number = {number: name for name, number in choices.NUMBERS[choice].items()}
     rising = sorted(by_number)
     return by_number, np.array(rising, np.uint64), np.array([by_number[number] for number in rising])
@@ -129,16 +129,16 @@ class Record:
 
     @classmethod
     def new(cls: type[R], owner: object = None) -> R:
-        """A struct for a function to fill: ``_struct`` points to it. ``owner`` lends it memory."""
+        """Makes a struct that a function fills: ``_struct`` points to it. The memory of its arrays belongs to ``owner``."""
         struct = ffi.new(f"struct {cls._NAME} *")
         struct.struct_size = ffi.sizeof(f"struct {cls._NAME}")
         return cls(struct, (struct, owner))
 
     @classmethod
     def read(cls: type[R], handle: Any, *arguments: Any) -> R:
-        """The struct of a handle.
+        """Reads the struct of a handle.
 
-        Its arrays keep the handle, not the object that has it: a ring through an array would never be collected.
+        Its arrays keep the handle alive, not the object that has it: a cycle through an array would never be collected.
         """
         made = cls.new(handle)
         status = getattr(lib, cls._GETTER)(handle, *arguments, made._struct)
@@ -147,7 +147,7 @@ class Record:
         return made
 
     def _array(self, name: str, *shape: int, part: Optional[int] = None) -> NDArray[Any]:
-        """An array of numbers or of structs of numbers: of several its part."""
+        """An array of numbers or of structs of numbers; ``part`` selects one of several arrays."""
         value = getattr(self._struct, name)
         if part is not None:
             value = value[part]
@@ -158,11 +158,11 @@ class Record:
         if ctype.kind == "array":
             dtype, sizes = dtype_of(ctype).subdtype or (np.dtype(np.uint8), ())
             return lent(ffi.addressof(value), sizes, dtype, self._owner).reshape(shape or sizes)
-        # NULL stands for none of what is optional.
+        # An optional array that is missing is NULL.
         return lent(value, shape if value else (0, *shape[1:]), dtype_of(ctype.item), self._owner)
 
     def _list(self, kind: type[R], name: str, count: int) -> list[R]:
-        """Structs that are no mere numbers."""
+        """A list of structs that contain arrays."""
         first = getattr(self._struct, name)
         return [kind(first[k], self._owner) for k in range(count)]
 
@@ -180,9 +180,9 @@ class Record:
 
 
 class RecordArray(Generic[R]):
-    """Structs of numbers in a row: ``array`` has them as numpy's records, and each attribute one field of all.
+    """An array of structs of numbers. Each attribute is a field of all of them; ``array`` has the structs as numpy's records.
 
-    ``holes[0].length`` is a number, ``holes.length`` an array of numbers, and ``holes[holes.length > 1]`` has some of the structs.
+    ``holes[0].length`` is a number, ``holes.length`` an array of numbers, and ``holes[holes.length > 1]`` a selection of the structs.
     """
 
     __slots__ = ("array",)
@@ -195,11 +195,11 @@ class RecordArray(Generic[R]):
 
     @classmethod
     def zeros(cls: type[A], count: int) -> A:
-        """Structs for a function to fill."""
+        """Makes structs that a function fills."""
         return cls(np.zeros(count, dtype_of(ffi.typeof(f"struct {cls.RECORD._NAME}"))))
 
     def pointer(self) -> Any:
-        """Where packed structs are."""
+        """The address of packed structs."""
         return ffi.cast(f"struct {self.RECORD._NAME} *", self.array.ctypes.data)
 
     def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> NDArray[Any]:

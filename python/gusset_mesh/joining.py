@@ -1,4 +1,4 @@
-"""Meshes that come in pieces: their borders, and what joins, mends and checks them."""
+"""Boundary loops, joining, filling, repair and checks of polygon meshes."""
 
 from __future__ import annotations
 
@@ -26,16 +26,16 @@ __all__ = ["Alignment", "Boundary", "Check", "Development", "Fill", "Join", "Ori
 
 
 def _create(kind: str, meshes: Sequence[Mesh], *arguments: Any, threads: int = 0, progress: Optional[Progress] = None) -> Any:
-    """What is made of meshes, by a call of which they are the first arguments."""
+    """Creates a handle by a function whose first arguments are meshes."""
     return create(kind, views_of(meshes), *arguments, threads=threads, progress=progress, is_short=kind in _QUICK and _are_small(meshes))
 
 
 def _result(function: str, meshes: Sequence[Mesh], *arguments: Any, threads: int = 0, progress: Optional[Progress] = None) -> Any:
-    """The same, of a mesh that is made of meshes."""
+    """Calls a function that makes a mesh from meshes, its first arguments."""
     return result(function, views_of(meshes), *arguments, threads=threads, progress=progress, is_short=function in _QUICK and _are_small(meshes))
 
 
-#: What takes time in proportion to the mesh: of a small one it ends before anybody could want to stop it.
+#: Functions of linear time. On a small mesh they end before a signal could stop them.
 _QUICK = {"boundary", "check", "weld", "sew", "orient"}
 
 
@@ -66,16 +66,16 @@ class Boundary(Reported[BoundaryView], Sequence[LoopView]):
 
 
 def boundary_loops(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[BoundaryOptions]) -> Boundary:
-    """The loops of edges that have one face each, with the surface on their left.
+    """Finds the boundary loops of a mesh: chains of edges with one face each. The surface is on their left.
 
     Args:
         mesh: a :class:`Mesh`, points and faces, or a mesh of another library.
-        threads: 0 for as many as there are cores; results do not depend on it.
-        progress: called with the part done and what is being done; what it raises cancels, as Ctrl-C does.
+        threads: number of threads; 0: one for each core. Results do not depend on it.
+        progress: receives the fraction done and the stage. An exception in it cancels the call.
         options: see :class:`~gusset_mesh.BoundaryOptions`.
 
     Raises:
-        InputError: the mesh cannot be used; ``element`` and ``index`` say what is wrong.
+        InputError: the mesh is bad; ``element`` and ``index`` name the element at fault.
 
     >>> square = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]]
     >>> [loop.vertices.tolist() for loop in boundary_loops(square)]
@@ -85,18 +85,18 @@ def boundary_loops(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progr
 
 
 class Check(Reported[CheckView]):
-    """What a mesh is; ``report`` has the elements at fault."""
+    """Properties of a mesh; ``report`` has the elements at fault."""
 
     REPORT = CheckView
 
     @property
     def is_manifold(self) -> bool:
-        """No edge has three faces or more, and no vertex several fans."""
+        """Every edge has at most two faces, and every vertex one fan."""
         return "manifold" in self.report.properties
 
     @property
     def is_oriented(self) -> bool:
-        """Neighbouring faces run the same way."""
+        """Neighbouring faces agree in orientation."""
         return "oriented" in self.report.properties
 
     @property
@@ -110,7 +110,7 @@ class Check(Reported[CheckView]):
 
 
 def check(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None) -> Check:
-    """Whether a mesh is manifold, oriented and closed, and where it is not.
+    """Checks whether a mesh is manifold, oriented and closed, and finds its defects.
 
     >>> check(([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
     <Check: manifold, oriented>
@@ -119,13 +119,13 @@ def check(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = No
 
 
 class Weld(Result[WeldReport]):
-    """A mesh whose vertices that lay together are one."""
+    """A mesh with coincident vertices merged."""
 
     REPORT = WeldReport
 
 
 def weld(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[WeldOptions]) -> Weld:
-    """Makes vertices that lie together one; ``tolerance=0.1`` says how near, else no farther than rounding can have put them.
+    """Merges coincident vertices: within ``tolerance``, by default within the rounding of the positions.
 
     >>> apart = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [3, 4, 5]]
     >>> weld(apart, unused="remove").mesh.vertex_count
@@ -135,13 +135,13 @@ def weld(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = Non
 
 
 class Sew(Result[SewReport]):
-    """A mesh whose borders that lay together are joined, edges split where they had to be."""
+    """A mesh with coincident borders sewn; edges are split where vertices do not match."""
 
     REPORT = SewReport
 
 
 def sew(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[WeldOptions]) -> Sew:
-    """Joins borders that lie together although their vertices do not match: edges are split.
+    """Sews coincident borders. Edges are split where vertices do not match.
 
     >>> long = [[0, 0, 0], [2, 0, 0], [1, 1, 0]], [[0, 1, 2]]
     >>> short = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [1, -1, 0]], [[1, 0, 3], [2, 1, 3]]
@@ -153,13 +153,13 @@ def sew(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None
 
 
 class Orient(Result[OrientReport]):
-    """A mesh whose faces run the same way within each component."""
+    """A mesh whose faces agree in orientation within each component."""
 
     REPORT = OrientReport
 
 
 def orient(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[OrientOptions]) -> Orient:
-    """Turns over faces so that neighbours run the same way; ``outward="closed"``: closed components face outwards.
+    """Reverses faces until neighbours agree in orientation. With ``outward="closed"`` closed components face outwards.
 
     >>> orient(([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 3, 2]])).report.turned_faces
     1
@@ -168,28 +168,28 @@ def orient(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = N
 
 
 def _loops(loops: Iterable[Any]) -> Any:
-    """Loops by their vertices, or as :func:`boundary_loops` gives them."""
+    """Converts loops: each is a list of vertices, or from :func:`boundary_loops`."""
     given = [loop.vertices if isinstance(loop, LoopView) else loop for loop in loops]
     if any(np.ndim(loop) != 1 or np.size(loop) == 0 for loop in given):
         raise ValueError("a loop is a list of vertices")
     arrays = [indices_of(loop, "a loop's vertices") for loop in given]
-    # NULL would be all loops that there are.
+    # The array is never NULL, which would select all loops.
     return holding(ffi.new("struct gusset_indices[]", [indices_struct(array) for array in arrays] or 1), arrays)
 
 
 class Stitch(Result[StitchReport]):
-    """Two rims and what joins them."""
+    """A mesh of two rims and the strip between them."""
 
     REPORT = StitchReport
 
     @cached_property
     def strip(self) -> Mesh:
-        """The strip alone."""
+        """The strip without the pieces."""
         return self._lent_mesh(lib.gusset_result_get_strip_mesh)
 
     @cached_property
     def quality(self) -> QualityReport:
-        """Measures of the strip and of the result."""
+        """Quality of the strip and of the result."""
         return QualityReport.read(self._handle)
 
 
@@ -197,13 +197,13 @@ def stitch(
     a: MeshLike, b: Optional[MeshLike] = None, *, loop_a: Optional[ArrayLike] = None, loop_b: Optional[ArrayLike] = None, threads: int = 0,
     progress: Optional[Progress] = None, **options: Unpack[StitchOptions]
 ) -> Stitch:
-    """Joins two boundary loops by a strip of faces, or by a blend that goes on both surfaces smoothly (``finish="blend"``).
+    """Joins two boundary loops by a strip of faces, or by a blend that continues both surfaces smoothly (``finish="blend"``).
 
     Args:
         a: the first mesh.
-        b: the second one, or None for two loops of the first.
-        loop_a: the vertices of the first loop; None: the only loop of ``a``, or the nearest ones.
-        loop_b: those of the second.
+        b: the second mesh, or None to join two loops of the first.
+        loop_a: vertices of the first loop; None: the only loop of ``a``, or the nearest pair.
+        loop_b: vertices of the second loop; None: as for ``loop_a``.
         threads, progress: as for :func:`boundary_loops`.
         options: see :class:`~gusset_mesh.StitchOptions`.
 
@@ -221,18 +221,18 @@ def stitch(
 
 
 class Fill(Result[FillReport]):
-    """A mesh whose holes are filled."""
+    """A mesh with filled holes."""
 
     REPORT = FillReport
 
     @property
     def holes(self) -> HoleArray:
-        """What became of each loop."""
+        """The outcome for each loop."""
         return self.report.holes
 
     @cached_property
     def quality(self) -> QualityReport:
-        """Measures of the new faces and of the result."""
+        """Quality of the new faces and of the result."""
         return QualityReport.read(self._handle)
 
 
@@ -240,9 +240,9 @@ def fill(
     mesh: MeshLike, loops: Optional[Iterable[Any]] = None, *, threads: int = 0, progress: Optional[Progress] = None,
     **options: Unpack[FillOptions]
 ) -> Fill:
-    """Fills holes: all loops, or those given by their vertices.
+    """Fills holes: all loops, or the given ones.
 
-    ``refine="rim_density", fairing="thin_plate"`` makes patches as fine as their rims that go on the surface round them.
+    ``refine="rim_density", fairing="thin_plate"`` makes patches as fine as their rims, which continue the surface around them.
 
     >>> cone = [[0, 0, 1], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]], [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]]
     >>> check(fill(cone).mesh).is_closed
@@ -255,22 +255,27 @@ def fill(
 
 
 class Join(Result[JoinReport]):
-    """Many pieces in one mesh."""
+    """One mesh of several pieces."""
 
     REPORT = JoinReport
 
     @property
     def joints(self) -> list[Joint]:
-        """The pairs of loops that face each other, and what became of them."""
+        """Pairs of loops that face each other, with the outcome for each."""
         return self.report.joints
 
 
 def join(
     pieces: Sequence[MeshLike], *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[JoinOptions]
 ) -> Join:
-    """Joins many pieces: borders that lie together are welded, those that face each other joined by strips.
+    """Makes one mesh of pieces: sews coincident borders, and joins borders that face each other by strips.
 
-    ``fill=True`` fills what holes are left; ``overlaps="trim"`` keeps one of surfaces that lie on one another, as scans do.
+    ``fill=True`` fills the remaining holes. ``overlaps="trim"`` keeps one surface where pieces overlap, as scans do.
+
+    Args:
+        pieces: meshes: each a :class:`Mesh`, points and faces, or a mesh of another library.
+        threads, progress: as for :func:`boundary_loops`.
+        options: see :class:`~gusset_mesh.JoinOptions`.
 
     >>> left = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 0], [2, 1, 0]], [[0, 1, 4, 3], [1, 2, 5, 4]]
     >>> right = [[x + 2, y, z] for x, y, z in left[0]], left[1]
@@ -282,19 +287,19 @@ def join(
 
 
 class Alignment(Reported[AlignmentView]):
-    """Motions that bring pieces onto one another."""
+    """Rigid motions after which pieces fit together."""
 
     REPORT = AlignmentView
 
     @cached_property
     def poses(self) -> NDArray[np.float64]:
-        """(pieces, 4, 4): what moves each piece, as a matrix that points are multiplied by from the left."""
+        """(pieces, 4, 4): the motion of each piece, as a matrix that multiplies points from the left."""
         made = np.zeros((len(self.report.pieces), 4, 4))
         made[:, :3], made[:, 3, 3] = self.report.pieces.pose.rows, 1
         return made
 
     def moved(self, pieces: Sequence[MeshLike]) -> list[Mesh]:
-        """The pieces where they belong."""
+        """Moves the pieces to their poses."""
         out = []
         if len(pieces) != len(self.poses):
             raise ValueError(f"{len(pieces)} pieces for {len(self.poses)} poses")
@@ -304,36 +309,36 @@ class Alignment(Reported[AlignmentView]):
 
 
 def align(pieces: Sequence[MeshLike], *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[AlignmentOptions]) -> Alignment:
-    """Turns and shifts pieces so that their overlaps fit; the first one stays."""
+    """Finds the rigid motions after which the overlaps of pieces fit. The first piece stays."""
     given = of_one_precision(pieces)
     return Alignment(_create("alignment", given, len(given), structs("alignment_options", options), threads=threads, progress=progress))
 
 
 class Trim(Reported[TrimView]):
-    """Which faces of overlapping pieces stay."""
+    """The faces of overlapping pieces that stay; see ``report``."""
 
     REPORT = TrimView
 
 
 def trim(pieces: Sequence[MeshLike], *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[TrimOptions]) -> Trim:
-    """Of surfaces that lie on one another one stays: which faces of each piece do is in ``report``."""
+    """Keeps one surface where pieces overlap. ``report`` has the faces of each piece that stay."""
     given = of_one_precision(pieces)
     return Trim(_create("trim", given, len(given), structs("trim_options", options), threads=threads, progress=progress))
 
 
 class Development(Result[DevelopReport]):
-    """A surface laid out flat."""
+    """A surface laid out in the plane."""
 
     REPORT = DevelopReport
 
     @property
     def points(self) -> NDArray[np.float64]:
-        """(n, 2): the vertices in the plane."""
+        """(n, 2): positions of the vertices in the plane."""
         return self.report.points
 
 
 def develop(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[DevelopOptions]) -> Development:
-    """Lays a surface out flat: cut along ``cuts``, unfolded where it can be, else with the least distortion.
+    """Lays a surface out in the plane, cut along ``cuts``: exactly where it unfolds, else with the least distortion.
 
     >>> roof = [[0, 0, 0], [0, 2, 0], [1, 0, 1], [1, 2, 1], [2, 0, 0], [2, 2, 0]], [[0, 2, 3, 1], [2, 4, 5, 3]]
     >>> float(develop(roof).report.stretches.max().round(9))

@@ -1,4 +1,4 @@
-"""Regular nets of quads: rows and columns of nodes, whose sides may be glued."""
+"""Regular nets of quads: rows and columns of nodes, with sides that may be glued."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _FLIPS = {"right": lib.GUSSET_NET_TURN_FLIP_COLUMNS, "down": lib.GUSSET_NET_TURN
 
 
 class NetMesh(Result[NetMeshReport]):
-    """The faces of a net."""
+    """The mesh of a net."""
 
     REPORT = NetMeshReport
 
@@ -37,7 +37,7 @@ class Net(Handle):
 
     Args:
         nodes: (rows, columns, 3), 32- or 64-bit floats; NaN where a node is missing.
-        sides: what is glued, as ``"torus"`` or ``["rows_closed", "pole_top"]``.
+        sides: the sides that are glued, such as ``"torus"`` or ``["rows_closed", "pole_top"]``.
 
     >>> import numpy as np
     >>> u, v = np.meshgrid(np.linspace(0, 1, 5), np.linspace(0, 2, 9), indexing="ij")
@@ -52,7 +52,7 @@ class Net(Handle):
             array = array.astype(np.float64)
         if array.ndim != 3 or array.shape[2] != 3:
             raise ValueError(f"nodes have the shape {array.shape}, not (rows, columns, 3)")
-        # Nodes that share memory are copied, and those that run backwards.
+        # Nodes that share memory or run backwards are copied.
         spans = sum((n - 1) * stride for n, stride in zip(array.shape, array.strides)) + array.itemsize
         if array.size and (min(array.strides) <= 0 or spans < array.nbytes):
             array = np.ascontiguousarray(array)
@@ -76,7 +76,7 @@ class Net(Handle):
         return made
 
     def _copied(self, **fields: int) -> Net:
-        """A copy that is changed as fields of gusset_net_copy_options say."""
+        """A copy, changed by the fields of gusset_net_copy_options."""
         given = ffi.new("struct gusset_net_copy_options *", {"struct_size": ffi.sizeof("struct gusset_net_copy_options"), **fields})
         return self._of(create("net", self._handle, given, name="net_copy"))
 
@@ -85,7 +85,7 @@ class Net(Handle):
         cls, heights: ArrayLike, spacing: Sequence[float] = (1.0, 1.0), origin: Sequence[float] = (0.0, 0.0, 0.0),
         no_data: Optional[float] = None
     ) -> Net:
-        """A net over a grid of heights (rows, columns); NaN, or ``no_data``, is missing."""
+        """Makes a net of a grid of heights (rows, columns). NaN and ``no_data`` mark missing nodes."""
         array = np.asarray(heights)
         if array.dtype not in (np.float32, np.float64):
             array = array.astype(np.float64)
@@ -105,7 +105,7 @@ class Net(Handle):
 
     @classmethod
     def from_mesh(cls, mesh: MeshLike, face: int = 0) -> Net:
-        """The net that the quads of a mesh are, from a face on."""
+        """Makes a net of the quads of a mesh, starting from a face."""
         given = ffi.new("struct gusset_net_grid_options *")
         given.struct_size = ffi.sizeof("struct gusset_net_grid_options")
         given.has_face, given.face = 1, face
@@ -141,36 +141,37 @@ class Net(Handle):
         return out
 
     def measure(self) -> NetMeasureReport:
-        """Its area, volume, area vector and box."""
+        """Measures area, volume, area vector and bounding box."""
         made = NetMeasureReport.new()
         call(lib.gusset_net_measure, self._handle, lib.GUSSET_NET_MEASURES_EXTENT, made._struct)
         return made
 
     def mesh(self, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[NetMeshOptions]) -> NetMesh:
-        """Its faces, as quads or triangles, nodes that are glued as one vertex."""
+        """Makes a mesh of quads or triangles. Glued nodes become one vertex."""
         return NetMesh(result("net_to_mesh", self._handle, structs("net_mesh_options", options), threads=threads, progress=progress))
 
     def resampled(self, rows: int, columns: int, interpolation: Interpolation = "bicubic") -> Net:
-        """The same shape with other numbers of rows and columns."""
-        return self._of(create("net", self._handle, rows, columns, number_of("gusset_interpolation", "interpolation", interpolation), name="net_resample"))
+        """Interpolates the net with other numbers of rows and columns."""
+        between = number_of("gusset_interpolation", "interpolation", interpolation)
+        return self._of(create("net", self._handle, rows, columns, between, name="net_resample"))
 
     def transposed(self) -> Net:
-        """Rows as columns."""
+        """Exchanges rows and columns."""
         return self._copied(turn=lib.GUSSET_NET_TURN_TRANSPOSE)
 
     def flipped(self, direction: Direction = "right") -> Net:
-        """Columns, or rows, in the reverse order."""
+        """Reverses the order of columns or rows."""
         return self._copied(turn=one_of(_FLIPS, "direction", direction))
 
     def displaced(self, distance: float) -> Net:
-        """A copy, moved along its normals."""
+        """Moves a copy along the normals."""
         copy = self._copied()
         call(lib.gusset_net_displace, copy._handle, float(distance))
         return copy
 
     @classmethod
     def concatenate(cls, nets: Sequence[Net], **options: Unpack[ConcatenateOptions]) -> Net:
-        """Nets beside one another, with bridges between them."""
+        """Places nets beside each other, with bridges between them."""
         handles = ffi.new("struct gusset_net *[]", [net._handle for net in nets])
         return cls._of(create("net", handles, len(nets), structs("concatenate_options", options), name="net_concatenate"))
 

@@ -1,4 +1,4 @@
-"""Smooth curves through given points, by the methods of the bisector, median, normal, tangent and more."""
+"""Smooth curves through given points, and operations on curves."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ __all__ = ["Curve", "Outline", "Places"]
 
 
 def _in_space(points: ArrayLike) -> NDArray[np.float64]:
-    """Points (n, 3); of (n, 2) z is 0."""
+    """Points as (n, 3); points (n, 2) get z = 0."""
     array = np.asarray(points, np.float64)
     if array.ndim != 2 or array.shape[1] not in (2, 3):
         raise ValueError(f"points have the shape {array.shape}, not (n, 2) or (n, 3)")
@@ -50,14 +50,14 @@ class Curve(Reported[CurveView]):
 
     @classmethod
     def through(cls, points: ArrayLike, *, closed: bool = False) -> Curve:
-        """The curve that a surface would have through nodes: (n, 3)."""
+        """Makes the curve that a surface has through these nodes (n, 3)."""
         nodes = _in_space(points)
         at = holding(ffi.cast("double *", pointer(nodes)), nodes)
         return cls(create("curve", at, len(nodes), int(closed), 0, name="curve_through"))
 
     @property
     def controls(self) -> NDArray[np.float64]:
-        """(n, 3): the control points, segment after segment."""
+        """(n, 3): control points, segment by segment."""
         return self.report.controls
 
     @property
@@ -70,7 +70,7 @@ class Curve(Reported[CurveView]):
         return self.report.closed
 
     def measure(self, flags: Union[CurveMeasureFlags, Iterable[CurveMeasureFlags]] = ()) -> CurveMeasures:
-        """Its length, box, centre, area, and in the plane moments; ``flags`` asks for some of them, none for all."""
+        """Measures length, bounding box, centre, area, and in the plane moments; ``flags`` selects some of them."""
         made = CurveMeasures.new()
         call(lib.gusset_curve_measure, self._handle, bits_of(NUMBERS["gusset_curve_measure_flags"], "flags", flags), made._struct)
         return made
@@ -81,31 +81,31 @@ class Curve(Reported[CurveView]):
 
     @cached_property
     def area_vector(self) -> NDArray[np.float64]:
-        """Half the integral of p x dp: a plane closed curve has its area along the normal."""
+        """Half the integral of p x dp: for a closed plane curve its area times the normal."""
         return self.measure("area").area_vector
 
     def sample(self, amount: float, rule: SampleRule = "count") -> Places:
-        """Points: so many at equal arc lengths, one every so much of it, or so that chords are nowhere farther off."""
+        """Samples points: ``amount`` points at equal arc lengths, steps of this length, or chords within this distance."""
         return Places(create("places", self._handle, number_of("gusset_sample_rule", "rule", rule), float(amount), name="curve_sample"))
 
     def nearest(self, points: ArrayLike) -> CurveNearestPointArray:
-        """The nearest point of the curve for each of (n, 3) points."""
+        """Finds the nearest point of the curve for each of (n, 3) points."""
         queries = _in_space(points)
         out = CurveNearestPointArray.zeros(len(queries))
         call(lib.gusset_curve_nearest, self._handle, ffi.cast("double *", pointer(queries)), len(queries), out.pointer())
         return out
 
     def intersect(self, other: Curve, within: float = 0.0) -> Places:
-        """The places where two curves meet, or come as near to each other as ``within``."""
+        """Finds the places where two curves meet, or are within a distance of each other."""
         return Places(create("places", self._handle, other._handle, float(within), name="curve_intersect"))
 
     def offset(self, distance: float, **options: Unpack[OffsetOptions]) -> Curve:
-        """The curve at a distance to the left."""
+        """Makes the curve at a distance to the left."""
         given: dict[str, Any] = {"tolerance": 1e-6 * float(np.ptp(self.controls, axis=0).max() or 1), **options}
         return Curve(create("curve", self._handle, float(distance), structs("offset_options", given), ffi.NULL, name="curve_offset"))
 
     def svg(self) -> str:
-        """The path of SVG that it is."""
+        """The curve as the data of an SVG path."""
         form = create("curve_form", self._handle, lib.GUSSET_CURVE_FORMAT_SVG, 0.0, name="curve_export")
         return CurveFormView.read(form).text
 
@@ -115,10 +115,10 @@ class Outline(Reported[OutlineView]):
 
     Args:
         points: (n, 2) or (n, 3).
-        closed: whether the curve goes on from the last point to the first.
-        tangents: directions that it has to pass points in, by their numbers.
-        corners: numbers of points at which it may turn sharply.
-        options: see :class:`~gusset_mesh.OutlineOptions`, as ``method="median"``.
+        closed: whether the curve continues from the last point to the first.
+        tangents: directions of the curve at points, by index.
+        corners: indices of points where the curve may have a corner.
+        options: see :class:`~gusset_mesh.OutlineOptions`; for example ``method="median"``.
 
     >>> import numpy as np
     >>> angle = np.linspace(0, 2 * np.pi, 24, endpoint=False)
@@ -166,5 +166,5 @@ class Outline(Reported[OutlineView]):
 
     @property
     def statuses(self) -> NDArray[np.str_]:
-        """What became of each point: ``"ok"`` as asked."""
+        """The outcome at each point: ``"ok"``, or the reason why the curve differs from the request."""
         return self.report.statuses

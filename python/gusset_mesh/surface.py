@@ -1,4 +1,4 @@
-"""Smooth surfaces through nodes: nearest points, sections, intersections, with proven bounds."""
+"""Smooth surfaces through nodes: nearest points, sections and intersections, with proven bounds."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from ._keywords import options as structs
 from ._library import ffi, holding, lib, number_of
 from ._options import ContourOptions, IntersectionOptions, NearestOptions, SheetMeshOptions, SurfaceOptions, Unpack
 from ._records import dtype_of
-from ._reports import (SheetMeshReport, SheetReport, SurfaceHitArray, SurfaceHitsView, SurfaceNearestPointArray, SurfacePathsView, SurfacePlaceArray,
-                       SurfacePointArray, SurfaceReport)
+from ._reports import (SheetMeshReport, SheetReport, SurfaceHitArray, SurfaceHitsView, SurfaceNearestPointArray, SurfacePathsView,
+                       SurfacePlaceArray, SurfacePointArray, SurfaceReport)
 from .choices import HitSelection, Scheme
 
 __all__ = ["Sheet", "SheetMesh", "Surface", "SurfaceHits", "SurfacePaths"]
@@ -33,19 +33,19 @@ def _vector(values: ArrayLike) -> list[float]:
 
 
 class SheetMesh(Result[SheetMeshReport]):
-    """Faces on a sheet; ``report.deviation`` bounds how far they are from it."""
+    """The mesh of a sheet; ``report.deviation`` bounds its distance from the sheet."""
 
     REPORT = SheetMeshReport
 
 
 class Sheet(Reported[SheetReport]):
-    """One smooth surface through a grid of nodes.
+    """A smooth surface through a grid of nodes.
 
     Args:
         nodes: (rows, columns, 3), 32- or 64-bit floats.
-        closed_u: closed from the last row to the first, which is repeated at the end.
-        closed_v: the same of columns.
-        scheme: how it is drawn through the nodes.
+        closed_u: whether the surface is closed from the last row to the first. The last row repeats the first.
+        closed_v: the same for columns.
+        scheme: interpolation between the nodes.
     """
 
     REPORT = SheetReport
@@ -69,12 +69,12 @@ class Sheet(Reported[SheetReport]):
         super().__init__(create("sheet", given, ffi.NULL, 0))
 
     def mesh(self, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[SheetMeshOptions]) -> SheetMesh:
-        """Faces on it: within ``tolerance``, or in so many parts of each cell."""
+        """Makes a mesh within ``tolerance``, with at least ``min_u`` times ``min_v`` parts of each cell."""
         return SheetMesh(result("sheet_to_mesh", self._handle, structs("sheet_mesh_options", options), threads=threads, progress=progress))
 
 
 class SurfacePaths(Reported[SurfacePathsView], Sequence[NDArray[np.float64]]):
-    """Curves on surfaces: each is (n, 3); ``report`` has normals, places and what is unresolved."""
+    """Curves on a surface: each is (n, 3); ``report`` has normals, places and unresolved cells."""
 
     REPORT = SurfacePathsView
 
@@ -122,10 +122,10 @@ class SurfaceHits(Reported[SurfaceHitsView]):
 
 
 class Surface(Reported[SurfaceReport]):
-    """One or several sheets, ready for questions.
+    """One or several sheets, with an index for queries.
 
     Args:
-        sheets: a :class:`Sheet`, several, or nodes (rows, columns, 3) of one.
+        sheets: a :class:`Sheet`, several sheets, or the nodes (rows, columns, 3) of one.
         options: see :class:`~gusset_mesh.SurfaceOptions`.
 
     >>> import numpy as np
@@ -156,7 +156,7 @@ class Surface(Reported[SurfaceReport]):
     def nearest(
         self, points: ArrayLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[NearestOptions]
     ) -> SurfaceNearestPointArray:
-        """The nearest point of the surface for each of (n, 3) points; no point is nearer than its ``bound``."""
+        """Finds the nearest point of the surface for each of (n, 3) points. No point of the surface is nearer than ``bound``."""
         queries = np.ascontiguousarray(points, np.float64)
         if queries.ndim != 2 or queries.shape[1] != 3:
             raise ValueError(f"points have the shape {queries.shape}, not (n, 3)")
@@ -169,7 +169,7 @@ class Surface(Reported[SurfaceReport]):
         self, point: ArrayLike, normal: ArrayLike, offsets: ArrayLike = (0.0,), *, threads: int = 0, progress: Optional[Progress] = None,
         **options: Unpack[ContourOptions]
     ) -> SurfacePaths:
-        """The curves in which planes cut it: through a point, and at rising distances from it along the normal."""
+        """Intersects the surface with parallel planes: through ``point``, at increasing ``offsets`` along ``normal``."""
         height = {"kind": lib.GUSSET_CONTOUR_HEIGHT, "point": _vector(point), "direction": _vector(normal)}
         return self._contours(height, offsets, options, threads, progress)
 
@@ -177,7 +177,11 @@ class Surface(Reported[SurfaceReport]):
         self, values: ArrayLike, levels: ArrayLike, *, threads: int = 0, progress: Optional[Progress] = None,
         **options: Unpack[ContourOptions]
     ) -> SurfacePaths:
-        """Where a function takes rising levels: its values are given at the corners of all cells, sheet after sheet, row after row."""
+        """Draws the curves where a function has increasing levels.
+
+        Args:
+            values: the function at the corners of all cells, sheet by sheet, row by row.
+        """
         given = np.ascontiguousarray(values, np.float64).reshape(-1)
         numbers = holding(ffi.cast("double *", pointer(given)), given)
         function = {"kind": lib.GUSSET_CONTOUR_VALUES, "values": numbers, "value_count": given.size}
@@ -187,7 +191,7 @@ class Surface(Reported[SurfaceReport]):
         self, direction: ArrayLike, angles: ArrayLike = (np.pi / 2,), *, unsigned_normals: bool = False, threads: int = 0,
         progress: Optional[Progress] = None, **options: Unpack[ContourOptions]
     ) -> SurfacePaths:
-        """Where normals make angles with a direction; at a right angle the silhouette."""
+        """Draws the curves where normals make angles with a direction. A right angle gives the silhouette."""
         angle = {"kind": lib.GUSSET_CONTOUR_ANGLE, "direction": _vector(direction), "unsigned_normals": int(unsigned_normals)}
         return self._contours(angle, angles, options, threads, progress)
 
@@ -203,7 +207,7 @@ class Surface(Reported[SurfaceReport]):
     def intersect(
         self, other: Surface, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[IntersectionOptions]
     ) -> SurfacePaths:
-        """The curves in which two surfaces meet."""
+        """Intersects two surfaces."""
         return SurfacePaths(create("surface_paths", self._handle, other._handle, structs("intersection_options", options),
                                    name="surface_intersection", threads=threads, progress=progress))
 
@@ -211,7 +215,7 @@ class Surface(Reported[SurfaceReport]):
         self, origins: ArrayLike, directions: ArrayLike, *, start: float = 0.0, end: float = np.inf,
         selection: HitSelection = "all", threads: int = 0, progress: Optional[Progress] = None,
     ) -> SurfaceHits:
-        """Where rays meet it: from origins (n, 3) along directions (n, 3), of which ``t`` counts lengths from ``start`` to ``end``."""
+        """Intersects the surface with the points ``origins + t * directions``, for t from ``start`` to ``end``."""
         starts, along = (np.atleast_2d(np.asarray(one, np.float64)) for one in (origins, directions))
         if starts.shape[-1] != 3 or along.shape[-1] != 3:
             raise ValueError("origins and directions are (n, 3)")
@@ -222,7 +226,7 @@ class Surface(Reported[SurfaceReport]):
                                   number_of("gusset_hit_selection", "selection", selection), threads=threads, progress=progress))
 
     def evaluate(self, parameters: ArrayLike, sheet: int = 0) -> SurfacePointArray:
-        """Points, derivatives, normals and curvatures at (n, 2) parameters u, v of a sheet: node (i, j) has u = i, v = j."""
+        """Computes points, derivatives, normals and curvatures at (n, 2) parameters u, v of a sheet. Node (i, j) has u = i, v = j."""
         given = np.ascontiguousarray(parameters, np.float64)
         if given.ndim != 2 or given.shape[1] != 2:
             raise ValueError(f"parameters have the shape {given.shape}, not (n, 2)")
