@@ -103,7 +103,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_mesh(const struct gus
 /// @errors WRONG_HANDLE (another operation made the result)
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_quality(const struct gusset_result *result,
-    struct gusset_quality_report *quality);
+    struct gusset_quality_report *report);
 
 struct gusset_origins;
 
@@ -1547,7 +1547,7 @@ GUSSET_API void gusset_check_destroy(struct gusset_check *check);
 /// Lends the findings of a check.
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_check_get_view(const struct gusset_check *check,
-    struct gusset_check_view *report);
+    struct gusset_check_view *view);
 
 /* ---- Developments: Cuts surfaces open and flattens them with little distortion. */
 
