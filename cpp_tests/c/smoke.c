@@ -17,7 +17,7 @@ static void layouts(void) {
         CHECK(sizeof(gusset_stitch_report) == 232 && offsetof(gusset_stitch_report, turned) == 184);
         CHECK(offsetof(gusset_stitch_options, tolerance) == 48 && offsetof(gusset_stitch_options, arc_b) == 64);
         CHECK(sizeof(gusset_facing_options) == 32 && offsetof(gusset_facing_options, tolerance) == 16);
-        CHECK(sizeof(gusset_facing_view) == 168 && offsetof(gusset_facing_view, taken) == 152);
+        CHECK(sizeof(gusset_facing_view) == 184 && offsetof(gusset_facing_view, taken) == 152);
         CHECK(sizeof(gusset_winged_options) == 16 && sizeof(gusset_winged_faces_view) == 56);
         CHECK(sizeof(gusset_strip_options) == 40 && sizeof(gusset_strip_report) == 80);
         CHECK(sizeof(gusset_join_options) == 112 && offsetof(gusset_join_options, max_gap) == 32);

@@ -65,7 +65,7 @@ TEST_CASE("a part of a ball") {
     CHECK(conformal.charts()[0].finish == GUSSET_CHART_CONFORMAL);
     // The flat mesh is a mesh: its border is one loop.
     CHECK(gusset::Boundary(conformal.mesh()).size() == 1);
-    // Below the stretch that the surface needs: no limit holds.
+    // A limit must exceed 1.
     options.max_stretch = 1.0;
     CHECK_THROWS_AS(gusset::Development(ball.view(), options), gusset::Error);
 }

@@ -23,13 +23,13 @@ import gusset_mesh as gm
 
 #! [job]
 def assembled(name, pieces):
-    """One model: an account of it, which is small enough to travel, and the mesh itself."""
+    """One model: a summary of it, which is small enough to travel, and the mesh itself."""
     made = gm.join(pieces, fill=True, threads=1)  # a worker has one core
     mesh, check = made.mesh, gm.check(made.mesh)
     digest = hashlib.sha256(mesh.points.tobytes() + mesh.corners.tobytes()).hexdigest()
-    account = {"name": name, "pieces": len(pieces), "joints": len(made.joints), "faces": mesh.face_count,
+    summary = {"name": name, "pieces": len(pieces), "joints": len(made.joints), "faces": mesh.face_count,
                "closed": check.is_closed, "digest": digest}
-    return account, mesh
+    return summary, mesh
 #! [job]
 
 
@@ -59,15 +59,15 @@ def run_folder(folder, out):
     import trimesh
     folder = pathlib.Path(folder)
     pieces = [trimesh.load(file, process=False) for file in sorted(folder.iterdir()) if file.suffix in (".ply", ".obj", ".stl", ".off")]
-    account, mesh = assembled(folder.name, pieces)
+    summary, mesh = assembled(folder.name, pieces)
     from gusset_mesh.trimesh import to_trimesh
     to_trimesh(mesh).export(pathlib.Path(out) / f"{folder.name}.ply")
-    return account
+    return summary
 
 
 #! [map]
 def over(client, run, *arguments, retries=3, report=lambda done, count: None):
-    """The accounts of all jobs, in their order, over the workers of a client. A job whose worker dies is run by another one."""
+    """The summaries of all jobs, in their order, over the workers of a client. A job whose worker dies is run by another one."""
     futures = client.map(run, *arguments, retries=retries, pure=False)
     for done, _ in enumerate(as_completed(futures), 1):
         report(done, len(futures))
@@ -114,16 +114,16 @@ def main():
             source, out = options.folders
             pathlib.Path(out).mkdir(parents=True, exist_ok=True)
             names = sorted(str(folder) for folder in pathlib.Path(source).iterdir() if folder.is_dir())
-            accounts = over(client, run_folder, names, [out] * len(names), report=bar)
+            summaries = over(client, run_folder, names, [out] * len(names), report=bar)
         else:
-            accounts = over(client, run_formula, range(options.jobs), [options.rows] * options.jobs, report=bar)
+            summaries = over(client, run_formula, range(options.jobs), [options.rows] * options.jobs, report=bar)
         seconds = time.perf_counter() - start
-    for account in accounts if options.folders else []:
-        print(f"{account['name']}: {account['pieces']} pieces, {account['joints']} joints, {account['faces']} faces, "
-              f"{'closed' if account['closed'] else 'open'}")
-    closed = sum(account["closed"] for account in accounts)
-    print(f"{len(accounts)} models, {closed} closed, {sum(account['faces'] for account in accounts)} faces, "
-          f"{len(accounts) / seconds:.1f} a second")
+    for summary in summaries if options.folders else []:
+        print(f"{summary['name']}: {summary['pieces']} pieces, {summary['joints']} joints, {summary['faces']} faces, "
+              f"{'closed' if summary['closed'] else 'open'}")
+    closed = sum(summary["closed"] for summary in summaries)
+    print(f"{len(summaries)} models, {closed} closed, {sum(summary['faces'] for summary in summaries)} faces, "
+          f"{len(summaries) / seconds:.1f} a second")
 
 
 if __name__ == "__main__":

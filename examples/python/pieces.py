@@ -52,12 +52,12 @@ picture("python_pieces", [("four pieces", pieces, {"scalars": "piece", "clim": (
                           ("assembled", whole, {"scalars": "piece", "clim": (0, 3), "cmap": "tab10", "show_edges": True}),
                           ("their heights, carried over", whole, {"scalars": "height", "cmap": "viridis"})])
 
-#! [account]
+#! [report]
 made = gm.join(pieces, fill=True)
 for joint in made.joints:
     print(f"{joint.face_count} faces across a gap of {joint.gap:.3f}")
-print(f"{len(made.account.holes)} holes filled, {made.account.loops_left} loops left")
-#! [account]
+print(f"{(made.report.holes.status == 'filled').sum()} holes filled, {made.report.loops_left} loops left")
+#! [report]
 
 #! [filters]
 hills = pv.ParametricRandomHills(random_seed=4, u_res=60, v_res=60).triangulate()

@@ -177,6 +177,7 @@ typedef struct gusset_net_gluing_report {
     /// Sides, if they describe all links; else UINT32_MAX, and the matrix does.
     gusset_sides sides;
     /// 1: faces have the opposite orientation.
+    /// @flag
     uint32_t reversed;
 } gusset_net_gluing_report;
 
@@ -267,9 +268,11 @@ typedef struct gusset_glue_options {
     /// For detect: largest distance of coincident nodes, at least 0 and finite.
     double tolerance;
     /// Gluings to add, at any alignment.
+    /// @shape gluing_count
     const struct gusset_gluing *gluings;
     size_t gluing_count;
     /// Links to contract, at any alignment; see contracted of gusset_net_analysis_view.
+    /// @shape link_count
     const uint32_t *links;
     size_t link_count;
     /// 1: replaces the gluing by the one that coordinates imply. It glues coincident neighbours, and coincident runs of
@@ -466,6 +469,7 @@ typedef struct gusset_net_primitive {
     double size[3];
     /// Distance from the axis, at least 0, and height of each point, upwards, at any alignment. Points on the axis are
     /// poles. A closed profile makes a ring.
+    /// @shape profile_count 2
     const double *profile;
     /// Number of points, at least 2.
     size_t profile_count;
@@ -682,6 +686,7 @@ typedef struct gusset_net_measure_report {
     double centroid[3];
     /// Inertia tensor of the body about its centroid, density 1. Diagonal: integrals of y^2 + z^2 and so on; else of -x
     /// y and so on.
+    /// @shape 3 3
     double inertia[9];
 } gusset_net_measure_report;
 
@@ -761,10 +766,12 @@ typedef struct gusset_net_mesh_report {
     /// Cell of each face.
     struct gusset_indices cell_of_face;
     /// Edges without faces, two vertices each, from cells whose opposite sides are glued.
+    /// @shape * 2
     struct gusset_indices wires;
     /// For each corner of the mesh, the index of its pair in texture_coordinates; empty unless requested.
     struct gusset_indices texture_corners;
     /// Pairs (column, row), each from 0 to 1. A vertex on a seam has one pair on each side.
+    /// @shape texture_count 2
     const double *texture_coordinates;
     size_t texture_count;
 } gusset_net_mesh_report;
@@ -1151,28 +1158,37 @@ typedef struct gusset_net_analysis gusset_net_analysis;
 typedef struct gusset_net_analysis_view {
     size_t struct_size;
     /// Ratio of new to old length of each link; NaN if the old length is 0 or an end is missing.
+    /// @shape link_count
     const double *links;
     /// 2 * rows * columns.
     size_t link_count;
     /// Ratio of new to old area of each cell; NaN if the old area is 0 or the cell is absent. Negative for folds or,
     /// with fields, negative determinants.
+    /// @shape cell_count
     const double *cells;
     /// Jacobian determinant of the fields at the centre of each cell; NULL if nets are compared.
+    /// @shape cell_count
     const double *determinants;
     /// (rows - 1) * (columns - 1).
     size_t cell_count;
     /// Links that became a point and are not glued; see links of gusset_glue_options.
+    /// @shape contracted_count
     const uint32_t *contracted;
     /// For each contracted link, the local gluing of its first node once all are contracted: 0 to 17.
+    /// @shape contracted_count
+    /// @choice gusset_gluing_type
     const uint32_t *stars;
     size_t contracted_count;
     /// Glued links whose ends separated.
+    /// @shape torn_count
     const uint32_t *torn;
     size_t torn_count;
     /// Cells oriented against the majority.
+    /// @shape folded_count
     const uint32_t *folded;
     size_t folded_count;
     /// 1: nothing is newly glued, torn or folded (a soft deformation); 0: hard.
+    /// @flag
     uint32_t soft;
     uint32_t reserved;
 } gusset_net_analysis_view;
@@ -1183,6 +1199,7 @@ typedef struct gusset_net_analysis_options {
     /// Deformed net of the same size; NULL: fields deform the net.
     const struct gusset_net *after;
     /// Fields, as for gusset_net_deform.
+    /// @shape field_count
     const struct gusset_field *fields;
     /// Number of fields; 0 beside after.
     size_t field_count;
@@ -1268,14 +1285,18 @@ typedef struct gusset_net_complex_view {
     /// Vertices of all chains, with faces on the left.
     struct gusset_indices boundary_nodes;
     /// For each chain: 0 for a loop, 1 if it ends at edges of three or more faces.
+    /// @flag
     struct gusset_indices boundary_open;
     /// Edges without faces.
+    /// @shape * 2
     struct gusset_indices wires;
     /// Edges of three or more faces.
+    /// @shape * 2
     struct gusset_indices branches;
     /// Vertices whose faces form several fans that meet only there.
     struct gusset_indices pinches;
     /// Edges that two faces traverse in the same direction.
+    /// @shape * 2
     struct gusset_indices conflicts;
 } gusset_net_complex_view;
 
@@ -1340,6 +1361,8 @@ typedef struct gusset_planarise_options {
     /// float.
     double tolerance;
     /// One byte for each node. 1: the node and all nodes glued to it stay; 0: it may move. NULL: all may move.
+    /// @shape fixed_count
+    /// @flag
     const uint8_t *fixed;
     /// Number of bytes: rows * columns; 0 with NULL.
     size_t fixed_count;
@@ -1370,6 +1393,7 @@ typedef struct gusset_planarise_report {
     /// Number of steps; 0 if all cells were planar, and no bit changed.
     uint32_t iterations;
     /// 1: deviation_after is within the tolerance; 0: approximate result.
+    /// @flag
     uint32_t converged;
 } gusset_planarise_report;
 
@@ -1395,6 +1419,8 @@ typedef struct gusset_settle_options {
     /// Net of equal size that gives rest lengths and shapes of rigid bridges; NULL: the net itself.
     const struct gusset_net *reference;
     /// One byte for each part between bridges, in order: 1 moves it as a rigid body, 0 holds it. NULL holds all.
+    /// @shape free_count
+    /// @flag
     const uint8_t *free;
     /// Number of bytes, at least the number of parts; 0 with NULL.
     size_t free_count;
@@ -1428,6 +1454,7 @@ typedef struct gusset_settle_report {
     uint32_t collapsed;
     /// 1: no film collapsed, and the last step met the tolerance or was too small to lower the energy. 0: approximate
     /// result.
+    /// @flag
     uint32_t converged;
     uint32_t reserved;
 } gusset_settle_report;
@@ -1483,6 +1510,7 @@ typedef struct gusset_net_validation gusset_net_validation;
 typedef struct gusset_net_validation_view {
     size_t struct_size;
     /// The findings.
+    /// @shape count
     const struct gusset_net_finding *findings;
     size_t count;
     size_t violation_count;

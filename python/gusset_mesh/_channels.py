@@ -3,21 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any, Literal, Optional
+from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import pointer
-from ._library import constants, ffi, lib, one_of
+from ._library import ffi, number_of
+from .choices import NUMBERS, Domain, Rule
 
-Domain = Literal["vertices", "corners", "faces"]
-Rule = Literal["linear", "normal", "skin_weights", "nearest", "texture"]
-
-_RULES = constants("GUSSET_RULE_")
-_DOMAINS = constants("GUSSET_DOMAIN_")
-_TYPES = {np.dtype(name): getattr(lib, f"GUSSET_VALUE_{word}") for name, word in
-          (("f4", "F32"), ("f8", "F64"), ("u1", "U8"), ("u2", "U16"), ("u4", "U32"))}
+_TYPES = {np.dtype(f"{word[0]}{int(word[1:]) // 8}"): number for word, number in NUMBERS["gusset_value_type"].items()}
 #: Other types go the way of these, which hold them exactly; whole numbers up to 2^53.
 _BY_WAY_OF = {"i": np.float64, "u": np.float64, "f": np.float64, "b": np.uint8}
 
@@ -42,7 +37,7 @@ def carried(
         raise ValueError(f"values of the inputs have the shapes {', '.join(str(one.shape) for one in given)}")
     if dtype not in _TYPES and dtype.kind not in _BY_WAY_OF:
         raise ValueError(f"values have the type {dtype}, which cannot be mixed")
-    numbers = [one_of(_DOMAINS, "domain", domain), one_of(_RULES, "rule", rule)]
+    numbers = [number_of("gusset_domain", "domain", domain), number_of("gusset_rule", "rule", rule)]
     if rule == "nearest" and dtype.itemsize == 8 and dtype not in _TYPES and dtype.kind in "iu":
         # Nothing is mixed: the halves of a wide number go along as two.
         halves = [None if one is None else np.ascontiguousarray(one, dtype).view(np.uint32).reshape(len(one), -1) for one in arrays]

@@ -1,30 +1,34 @@
-"""Results that the library keeps: handles, what they lend, and what their elements come from."""
+"""Handles of the library, with their reports and the origins of their elements."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import Any, ClassVar, Optional
+from typing import Any, Generic, Optional, TypeVar
 
 from numpy.typing import ArrayLike, NDArray
 
 from ._call import Progress, call
-from ._channels import Domain, Rule, carried
-from ._library import constants, ffi, lib, one_of
-from ._records import Record, filled
+from ._channels import carried
+from ._library import ffi, lib, number_of
+from ._records import Record
+from ._reports import OriginsView
+from .choices import Domain, Rule
 from .errors import error
 from .mesh import Mesh, lent_mesh
+
+R = TypeVar("R", bound=Record)
 
 
 def create(
     kind: str, *arguments: Any, threads: int = 0, progress: Optional[Progress] = None, name: Optional[str] = None, is_short: bool = False
 ) -> Any:
-    """Calls ``gusset_<name>_create`` with a context, these arguments and a handle to be made, which is returned."""
+    """Calls ``gusset_<name>_create`` with a context and these arguments, and returns the new handle."""
     return _made(kind, f"gusset_{name or kind}_create", arguments, threads, progress, is_short)
 
 
 def result(function: str, *arguments: Any, threads: int = 0, progress: Optional[Progress] = None, is_short: bool = False) -> Any:
-    """Calls ``gusset_<function>``, which makes a mesh, in the same way."""
+    """Calls ``gusset_<function>``, which makes a mesh, and returns the new ``gusset_result``."""
     return _made("result", f"gusset_{function}", arguments, threads, progress, is_short)
 
 
@@ -35,9 +39,7 @@ def _made(kind: str, function: str, arguments: Any, threads: int, progress: Opti
 
 
 class Handle:
-    """Owns a handle of one kind; it is freed with the last that needs it."""
-
-    KIND: ClassVar[str]
+    """Owns a handle, which is destroyed once nothing refers to it."""
 
     def __init__(self, handle: Any):
         self._handle = handle
@@ -45,31 +47,31 @@ class Handle:
     def __reduce__(self) -> Any:
         raise TypeError(f"a {type(self).__name__} stays in its process: send its mesh or its arrays")
 
+
+class Reported(Handle, Generic[R]):
+    """A handle with a report."""
+
+    #: The class of the report.
+    REPORT: type[R]
+
     @cached_property
-    def account(self) -> Record:
-        """What was done: the view of the result in ``gusset.h``."""
-        return filled(getattr(lib, f"gusset_{self.KIND}_get_view"), f"gusset_{self.KIND}_view", self._handle)
+    def report(self) -> R:
+        """The report or view of the handle in ``gusset.h``: numbers, words and arrays."""
+        return self.REPORT.read(self._handle)
 
 
 class Origins(Handle):
-    """Where the elements of a result come from: of each the sources in the inputs, and how much each counts."""
+    """The origins of the elements of a result: their sources in the inputs, with weights."""
 
-    KIND = "origins"
-
-    def of(self, domain: Domain) -> Record:
-        """``offsets``, ``sources``, ``weights`` and ``starts`` of vertices, corners or faces."""
-        struct = ffi.new("struct gusset_origins_view *")
-        struct.struct_size = ffi.sizeof("struct gusset_origins_view")
-        status = lib.gusset_origins_get_view(self._handle, one_of(constants("GUSSET_DOMAIN_"), "domain", domain), struct)
-        if status != 0:
-            raise error(status, "")
-        return Record(struct[0], (struct, self._handle))
+    def view(self, domain: Domain) -> OriginsView:
+        """The origins of vertices, corners or faces."""
+        return OriginsView.read(self._handle, number_of("gusset_domain", "domain", domain))
 
     def carry(
         self, values: Sequence[Optional[ArrayLike]], domain: Domain = "vertices", rule: Rule = "linear", *, max_influences: int = 0
     ) -> NDArray[Any]:
-        """The values of the result's elements, of those of the inputs' elements: one array for each input, or None."""
-        count = self.of(domain)._struct.offsets.count - 1
+        """Carries values of elements over from the inputs to the result. ``values`` has an array, or None, for each input."""
+        count = len(self.view(domain).offsets) - 1
 
         def apply(channel: Any, inputs: Any, input_count: int, out: Any, room: int) -> None:
             call(lib.gusset_attributes_apply, self._handle, channel, inputs, input_count, out, room, 0)
@@ -77,13 +79,8 @@ class Origins(Handle):
         return carried(apply, "gusset", values, count, domain, rule, max_influences)
 
 
-class MeshResult(Handle):
-    """A mesh that an operation made, its report, and where its elements come from."""
-
-    @cached_property
-    def account(self) -> Record:
-        """The report of the operation in ``gusset.h``."""
-        return filled(getattr(lib, f"gusset_result_get_{self.KIND}"), f"gusset_{self.KIND}_report", self._handle)
+class Result(Reported[R]):
+    """A mesh that an operation made, with a report and the origins of its elements."""
 
     def _lent_mesh(self, function: Any) -> Mesh:
         view = ffi.new("struct gusset_mesh_view *")
@@ -95,20 +92,20 @@ class MeshResult(Handle):
 
     @cached_property
     def mesh(self) -> Mesh:
-        """The mesh; its arrays are the result's own, and cannot be written to."""
+        """The mesh. Its arrays belong to the result, and cannot be written to."""
         return self._lent_mesh(lib.gusset_result_get_mesh)
 
     @cached_property
     def origins(self) -> Origins:
-        """Where its vertices, corners and faces come from."""
+        """The origins of its vertices, corners and faces."""
         return Origins(create("origins", self._handle, name="result_origins"))
 
     def carry(
         self, values: Any, domain: Domain = "vertices", rule: Rule = "linear", *, max_influences: int = 0
     ) -> NDArray[Any]:
-        """The values of the result's elements, of those of the inputs': an array for each input in a list, or one of the only input.
+        """Carries values of elements over from the inputs to the result. ``values`` is a list with an array for each input, or one array.
 
-        Elements of one source have its value, bit for bit; new ones mix those of their sources as ``rule`` says.
+        An element with one source gets the source's value, bit for bit. Elements with several sources mix their values by ``rule``.
         """
         given = values if isinstance(values, (list, tuple)) else [values]
         return self.origins.carry(given, domain, rule, max_influences=max_influences)

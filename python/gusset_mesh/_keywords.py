@@ -4,56 +4,46 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Mapping
-from typing import Any, Optional
+from typing import Any
 
 import numpy as np
 
 from ._arrays import indices_of, pointer
-from ._library import ffi, holding
+from ._library import bits_of, ffi, holding, one_of
 from ._options import FIELDS
-from ._records import indices_struct
+from ._records import dtype_of, indices_struct
 
 
-#: Arrays of points: three numbers an item, which is what their count counts.
-_POINTS = {"viewpoints", "axis_points"}
-
-
-def _array(struct: Any, field: str, value: Any, kept: list[Any], lengths: Mapping[str, int]) -> None:
-    """An array of numbers or of structs, and how many there are."""
+def _array(struct: Any, field: str, value: Any, shape: tuple[str, ...], kept: list[Any], lengths: Mapping[str, int]) -> None:
+    """Sets an array of numbers or of structs, and the field that counts it."""
     ctype = dict(ffi.typeof(struct).item.fields)[field].type
     if ctype.kind == "struct":  # gusset_indices
         array = indices_of(value, field).reshape(-1)
         setattr(struct, field, indices_struct(array))
         kept.append(array)
         return
-    item = ctype.item
+    item, counter, inner = ctype.item, shape[0], tuple(map(int, shape[1:]))
     if item.kind == "struct":
         made = ffi.new(f"{item.cname}[]", [one if isinstance(one, dict) else _fields(item, one) for one in value])
         count = len(made)
     else:
-        dtype = {"double": np.float64, "uint32_t": np.uint32, "uint8_t": np.uint8}[item.cname]
+        dtype = dtype_of(item)
         numbers: Any = indices_of(value, field).reshape(-1) if dtype == np.uint32 else np.ascontiguousarray(value, dtype)
-        if field in _POINTS and (numbers.ndim != 2 or numbers.shape[1] != 3):
-            raise ValueError(f"{field} have the shape {numbers.shape}, not (n, 3)")
+        if numbers.shape[1:] != inner or numbers.ndim == 0:
+            raise ValueError(f"{field} have the shape {numbers.shape}, not ({', '.join(['n', *shape[1:]])})")
         made, count = ffi.cast(f"{item.cname} *", pointer(numbers)), len(numbers)
         kept.append(numbers)
-        # What no field beside it counts is as long as what it belongs to.
-        if not _counter(struct, field) and count != lengths.get(field):
-            raise ValueError(f"{field} are {count}, not {lengths.get(field, 0)}")
     kept.append(made)
     setattr(struct, field, made)
-    name = _counter(struct, field)
-    if name:
-        setattr(struct, name, count)
-
-
-def _counter(struct: Any, field: str) -> Optional[str]:
-    """The field that counts an array."""
-    return next((f"{stem}_count" for stem in (field.removesuffix("s"), field) if hasattr(struct, f"{stem}_count")), None)
+    if hasattr(struct, counter):
+        setattr(struct, counter, count)
+    elif count != lengths.get(counter, 0):
+        # An argument of the function counts the array.
+        raise ValueError(f"{field} are {count}, not {lengths.get(counter, 0)}")
 
 
 def _paths(value: Any) -> Any:
-    """Paths as one list, and where each begins: of a sequence of sequences several."""
+    """Paths as one list and the start of each; one path, or a sequence of paths."""
     items = list(value)
     if not items or np.ndim(items[0]) == 0:
         return items, None
@@ -61,19 +51,19 @@ def _paths(value: Any) -> Any:
 
 
 def _number(keyword: str, what: str, value: Any) -> Any:
-    """A number or a flag as C takes it."""
+    """Converts a number or a flag."""
     if what == "flag":
         if isinstance(value, (bool, np.bool_)) or (isinstance(value, (int, np.integer)) and value in (0, 1)):
             return int(value)
-        raise TypeError(f"{keyword} is {value!r}: True or False is wanted")
+        raise TypeError(f"{keyword} is {value!r}: pass True or False")
     try:
         return float(value) if what == "float" and not isinstance(value, str) else operator.index(value)
     except TypeError:
-        raise TypeError(f"{keyword} is {value!r}: a {'number' if what == 'float' else 'whole number'} is wanted") from None
+        raise TypeError(f"{keyword} is {value!r}: pass {'a number' if what == 'float' else 'an integer'}") from None
 
 
 def _fields(item: Any, value: Any) -> Any:
-    """What a struct of numbers begins with: a matrix fills the array that it has."""
+    """The first fields of a struct of numbers. A matrix fills the only field of a struct."""
     fields = [field for name, field in item.fields if name not in ("struct_size", "reserved")]
     if len(fields) == 1 and fields[0].type.kind == "array":
         return [np.asarray(value, np.float64).reshape(-1)[: fields[0].type.length].tolist()]
@@ -81,14 +71,14 @@ def _fields(item: Any, value: Any) -> Any:
 
 
 def options(name: str, keywords: Mapping[str, Any], lengths: Mapping[str, int] = {}) -> Any:
-    """A struct of options; NULL for the defaults.
+    """Makes a struct of options; NULL for the defaults.
 
     Args:
-        lengths: how long arrays are that no field counts.
+        lengths: the arguments of the function that count arrays of the options, as ``{"loop_count": 2}``.
 
     Raises:
-        TypeError: there is no such keyword.
-        ValueError: a keyword has no such word.
+        TypeError: a keyword is unknown.
+        ValueError: a word of a keyword is unknown.
     """
     if not keywords:
         return ffi.NULL
@@ -104,28 +94,28 @@ def options(name: str, keywords: Mapping[str, Any], lengths: Mapping[str, int] =
             raise TypeError(f"no option {keyword!r}: there are {', '.join(fields)}")
         if value is None:
             continue
-        what, words, needs = fields[keyword]
+        kind, words, needs, shape = fields[keyword]
         if needs and needs[0] not in keywords:
-            # A length that is read in one mode only asks for that mode.
-            setattr(struct, needs[0], fields[needs[0]][1].get(needs[1], 1))
-        if what == "choice":
-            if not isinstance(value, str) or value not in words:
-                raise ValueError(f"{keyword} is {value!r}: there are {', '.join(map(repr, words))}")
-            setattr(struct, keyword, words[value])
-        elif what.startswith("options:"):
+            # A field that is read in one mode only selects this mode.
+            setattr(struct, needs[0], fields[needs[0]].words.get(needs[1], 1))
+        if kind == "choice":
+            setattr(struct, keyword, one_of(words, keyword, value))
+        elif kind == "bits":
+            setattr(struct, keyword, bits_of(words, keyword, value))
+        elif kind == "options":
             if not isinstance(value, Mapping):
-                raise TypeError(f"{keyword} is {value!r}: a dictionary of options is wanted")
+                raise TypeError(f"{keyword} is {value!r}: pass a dictionary of options")
             inner = options(_struct_of(struct, keyword), value)
             kept.append(inner)
             setattr(struct, keyword, inner)
-        elif what == "array":
-            _array(struct, keyword, value, kept, lengths)
+        elif kind == "array":
+            _array(struct, keyword, value, shape, kept, lengths)
         else:
             try:
-                setattr(struct, keyword, list(value) if what == "row" else _number(keyword, what, value))
+                setattr(struct, keyword, list(value) if kind == "row" else _number(keyword, kind, value))
             except (OverflowError, IndexError):
                 raise ValueError(f"{keyword} is {value!r}, which is out of range") from None
-    # What the struct points to lives as long as it does.
+    # The struct keeps alive what it points to.
     return holding(struct, kept) if kept else struct
 
 

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from importlib import import_module
-from typing import Any
+from typing import Any, Union
+
+from . import choices
 
 # Written when the wheel is built: see build_backend.py.
 _native: Any = import_module("gusset_mesh._native")
 ffi: Any = _native.ffi
 lib: Any = _native.lib
 
-OK = 0
 #: Numbers of the interface's index and coordinate types.
 F32, F64 = 1, 2
 
 
 def constants(prefix: str) -> dict[str, int]:
-    """What begins with a prefix, by the rest of its name in lower case."""
+    """Constants that begin with a prefix, by the rest of their names in lower case."""
     return {
         name.removeprefix(prefix).lower(): getattr(lib, name)
         for name in dir(lib)
@@ -31,15 +33,28 @@ def one_of(words: dict[str, int], name: str, word: object) -> int:
     return words[word]
 
 
+def number_of(choice: str, name: str, word: object) -> int:
+    """The number of a word of a choice: ``number_of("gusset_scheme", "scheme", "six_tap")``."""
+    return one_of(choices.NUMBERS[choice], name, word)
+
+
+def bits_of(words: dict[str, int], name: str, given: Union[str, Iterable[object]]) -> int:
+    """The sum of the bits of a word or of several."""
+    bits = 0
+    for word in [given] if isinstance(given, str) else given:
+        bits |= one_of(words, name, word)
+    return bits
+
+
 def text(pointer: Any) -> str:
-    """What a pointer of the library to a text says; nothing if it is NULL."""
+    """The text at a pointer of the library; empty for NULL."""
     return str(ffi.string(pointer).decode("utf-8")) if pointer else ""
 
 
 def holding(pointer: Any, *things: Any) -> Any:
-    """A pointer that keeps what it points to: the things live as long as it does."""
+    """A pointer that keeps things alive."""
     return ffi.gc(pointer, lambda _: things)
 
 
 STATUSES = {number: name for name, number in constants("GUSSET_ERROR_").items()}
-ELEMENTS = {number: name for name, number in constants("GUSSET_ELEMENT_").items()}
+ELEMENTS = {number: name for name, number in choices.NUMBERS["gusset_element"].items()}

@@ -4,190 +4,48 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
-from typing import Any, Literal, Optional
+from collections.abc import Collection, Sequence
+from typing import Literal, NamedTuple, Optional, Union
 
 from numpy.typing import ArrayLike
+
+from . import choices
 
 if sys.version_info >= (3, 12):
     from typing import TypedDict, Unpack
 else:
     from typing_extensions import TypedDict, Unpack
 
-__all__ = ["FIELDS", "Unpack", "WeldOptions", "OrientOptions", "BoundaryOptions", "StitchOptions", "FillOptions", "TrimOptions", "JoinOptions", "AlignOptions", "OutlineOptions", "OffsetOptions", "NetMeshOptions", "ConcatenateOptions", "SurfaceOptions", "NearestOptions", "ContourOptions", "IntersectionOptions", "SheetMeshOptions", "DevelopOptions"]
+__all__ = ["FIELDS", "Keyword", "Unpack"]
 
 
-class WeldOptions(TypedDict, total=False):
-    """Fields of ``gusset_weld_options``; what is not given is as by default."""
+class Keyword(NamedTuple):
+    """How a keyword becomes a field."""
 
-    #: Vertices that are welded.
-    vertices: Literal['boundary', 'all']
-    #: Distance at which vertices coincide. - GUSSET_TOLERANCE_GIVEN: at most tolerance. - GUSSET_TOLERANCE_EXACT: 0;
-    #: -0 equals 0. - GUSSET_TOLERANCE_AUTO: at most 2^-19 of the largest coordinate for 32-bit positions, 2^-48 for
-    #: 64-bit ones, or, if more, twice the last decimal place that positions show. At each vertex it is at most a
-    #: quarter of the shortest edge, so that no edge collapses. - Last decimal place: let D be the largest power of
-    #: ten up to the longest side of the box of the vertices. The place is the largest of 1e-5 D, 1e-6 D, ... of which
-    #: a third of the coordinates of the largest order of magnitude, or of the differences between consecutive
-    #: vertices, are multiples. Multiples of 1e-4 D are left out; at least eight other numbers are needed.
-    tolerance_mode: Literal['auto', 'given', 'exact']
-    #: Largest distance of coincident vertices, finite, at least 0.
-    tolerance: float
-    #: Treatment of coincident corners of one face.
-    collapse: Literal['never', 'allow']
-    #: Treatment of vertices that no face uses.
-    unused: Literal['keep', 'remove']
-
-
-class OrientOptions(TypedDict, total=False):
-    """Fields of ``gusset_orient_options``; what is not given is as by default."""
-
-    #: Orientation of closed components.
-    outward: Literal['auto', 'keep', 'closed']
-
-
-class BoundaryOptions(TypedDict, total=False):
-    """Fields of ``gusset_boundary_options``; what is not given is as by default."""
-
-    #: Treatment of edges with three or more faces.
-    non_manifold: Literal['cut', 'stop']
-    #: Part of the mesh that is checked.
-    survey: Literal['whole_mesh', 'boundary_only']
-
-
-class StitchOptions(TypedDict, total=False):
-    """Fields of ``gusset_stitch_options``; what is not given is as by default."""
-
-    #: Rule for the meridians.
-    meridians: Literal['continuation', 'index', 'arc_length', 'greedy', 'min_diagonal', 'smooth', 'quad', 'min_area']
-    #: Treatment of opposite orientations.
-    orientation: Literal['fix', 'refuse', 'keep']
-    #: Shift of the first meridian along rim B, in vertices, from the closest pair that no edge joins. Counted in the
-    #: direction of rim A, modulo the length of rim B. If not 0, no other start is tried. Must be 0 if arcs are joined
-    #: (OUT_OF_RANGE).
-    twist: int
-    #: Part of the loops to join.
-    extent: Literal['whole_loops', 'open_arcs', 'auto', 'arcs']
-    #: Choice among runs of facing vertices.
-    run: Literal['closest', 'longest']
-    #: Number of interior rows.
-    rows: Literal['none', 'mean_edge', 'count']
-    #: Interior rows.
-    row_count: int
-    #: Faces of the strip.
-    cells: Literal['triangles', 'quads']
-    #: Source of the tolerance.
-    tolerance_mode: Literal['auto', 'given', 'exact']
-    #: Facing vertices are farther than this from the plane of their loop. In the unit of the positions; finite, at
-    #: least 0.
-    tolerance: float
-    #: First index on loop A, and number of vertices, 1 to the loop's length. The arc follows the loop as given, and
-    #: may pass its end.
-    arc_a: Sequence[float]
-    #: As arc_a, for loop B.
-    arc_b: Sequence[float]
-    #: Search effort.
-    search: Literal['auto', 'exact']
-    #: First meridian of a closed strip.
-    start: Literal['auto', 'closest', 'given']
-    #: Positions of interior rows; ignored without rows, with a log message if set.
-    fairing: Literal['none', 'thin_plate']
-    #: The treatment of faces that intersect each other.
-    intersections: Literal['auto', 'ignore', 'report']
-    #: Centre of a loop.
-    centres: Literal['vertices', 'length']
-    #: The side that closed components of a result face.
-    outward: Literal['auto', 'keep', 'closed']
-    #: Surface between the rims.
-    finish: Literal['strip', 'blend']
-
-
-class FillOptions(TypedDict, total=False):
-    """Fields of ``gusset_fill_options``; what is not given is as by default."""
-
-    #: Weight that the triangulation of a hole minimises.
-    weight: Literal['continuation', 'area_and_bend', 'bend_then_area', 'area']
-    #: New vertices of patches.
-    refine: Literal['none', 'rim_density']
-    #: Fairing of new vertices. Without new vertices it is ignored, and the log says so.
-    fairing: Literal['none', 'thin_plate']
-    #: Loops that stay open. Read only if all loops are selected.
-    keep: Literal['none', 'longest', 'borders']
-    #: Treatment of patch faces that intersect each other or old faces: GUSSET_INTERSECTIONS_AUTO avoids them, REPORT
-    #: reports them, IGNORE does not look for them.
-    intersections: Literal['auto', 'ignore', 'report']
-    #: If 1, fills and turns over nothing. The report says which loops would be filled, by which weight and finish. It
-    #: does not predict failed triangulations or shared patches.
-    plan_only: bool
-    #: Approximate limit on the new vertices of a patch, kept by larger triangles, exceeded at most twofold. 0:
-    #: 50,000, or 4 for each rim vertex if more, and as many again for sharp angles there.
-    max_new_vertices: int
-    #: Most edges of a loop to fill. 0: no limit.
-    max_edges: int
-    #: Largest length of a loop to fill, at least 0. 0: no limit.
-    max_length: float
-    #: Largest diagonal of the axis-aligned box of a loop to fill, at least 0. 0: no limit.
-    max_diameter: float
-    #: Largest area, as in gusset_hole, of a loop to fill, at least 0. 0: no limit.
-    max_area: float
-    #: Orientation of closed components of the result, patches included.
-    outward: Literal['auto', 'keep', 'closed']
-    #: Choice of loops that share a patch. Read only without groups.
-    together: Literal['apart', 'one', 'cheapest']
-    #: Group number of each given loop, loop_count in all. Loops with equal numbers share a patch of genus 0, without
-    #: loops left open for their own reasons. NULL: see together.
-    groups: ArrayLike
-    #: Smoothness between faired patches and the old surface.
-    continuity: Literal['c1', 'c2']
-    #: If 1, creases of the old surface end at the rim.
-    ignore_creases: bool
-
-
-class TrimOptions(TypedDict, total=False):
-    """Fields of ``gusset_trim_options``; what is not given is as by default."""
-
-    #: Largest distance of surfaces that count as one, in the unit of the positions, finite, at least 0. 0: 4 mean
-    #: edges of the coarser piece.
-    max_distance: float
-    #: Largest angle between their normals, in radians, at least 0, below pi / 2; 0: 60 degrees.
-    max_angle: float
-    #: x, y, z for each piece, in the unit of the positions, or NULL. Parts seen at flat angles weigh less.
-    viewpoints: ArrayLike
-    #: Islands of fewer faces are removed; 0: 30. The limit is 20 times as large for islands that other pieces also
-    #: show. Holes below that limit are not made.
-    min_faces: int
-
-
-class AlignOptions(TypedDict, total=False):
-    """Fields of ``gusset_alignment_options``; what is not given is as by default."""
-
-    #: Initial poses.
-    start: Literal['as_given', 'principal_axes', 'rims']
-    #: Points of each piece to match; 0: 2,000.
-    samples: int
-    #: Rigid motions of the pieces, or NULL.
-    poses: ArrayLike
-    #: Largest distance of matched points, in the unit of the positions, finite, at least 0. 0: a tenth of the largest
-    #: piece's box diagonal. Pieces may start about this far from their final poses.
-    max_distance: float
-    #: Rounds in each of two stages, at most; 0: 100.
-    max_rounds: int
+    kind: str
+    #: The numbers of its words.
+    words: dict[str, int] = {}
+    #: The field and the word or number that it is read for.
+    needs: Optional[tuple[str, str]] = None
+    #: The sizes of an array: see `@shape` in the headers.
+    shape: tuple[str, ...] = ()
 
 
 class OutlineOptions(TypedDict, total=False):
     """Fields of ``gusset_outline_options``; what is not given is as by default."""
 
     #: Kind of an outline's curve.
-    curve: Literal['composite', 'single', 'blend_c1', 'blend_c2', 'cubic_c2', 'chain']
+    curve: choices.CurveKind
     #: Guide of a section's control point.
-    method: Literal['bisector', 'median', 'normal', 'symmedian', 'alpha']
+    method: choices.SectionMethod
     #: For composite and single curves.
-    lock: Literal['parameter', 'self_consistent', 'data_guide']
+    lock: choices.ParameterLock
     #: For composite curves and chains.
-    joint: Literal['half', 'knot', 'g2']
+    joint: choices.JointParameter
     #: Method of solution.
-    solver: Literal['fast', 'step']
+    solver: choices.OutlineSolver
     #: For open outlines and parts between corners. A constraint on the end tangent takes precedence.
-    ends: Literal['free', 'perpendicular', 'level', 'upright', 'level_or_upright']
+    ends: choices.OutlineEnds
     #: 0 to 1.
     alpha: float
     #: Composite parameters are clamped to this and 1 minus this: 0.001 to 1/2; 0: 1/6.
@@ -215,11 +73,268 @@ class OffsetOptions(TypedDict, total=False):
     degree: int
 
 
+class StitchOptions(TypedDict, total=False):
+    """Fields of ``gusset_stitch_options``; what is not given is as by default."""
+
+    #: Rule for the meridians.
+    meridians: choices.Meridians
+    #: Treatment of opposite orientations.
+    orientation: choices.Orientation
+    #: Shift of the first meridian along rim B, in vertices, from the closest pair that no edge joins. Counted in the
+    #: direction of rim A, modulo the length of rim B. If not 0, no other start is tried. Must be 0 if arcs are joined
+    #: (OUT_OF_RANGE).
+    twist: int
+    #: Part of the loops to join.
+    extent: choices.StitchExtent
+    #: Choice among runs of facing vertices.
+    run: choices.FacingRun
+    #: Number of interior rows.
+    rows: choices.RowRule
+    #: Interior rows.
+    row_count: int
+    #: Faces of the strip.
+    cells: choices.StripCells
+    #: Source of the tolerance.
+    tolerance_mode: choices.ToleranceMode
+    #: Facing vertices are farther than this from the plane of their loop. In the unit of the positions; finite, at
+    #: least 0.
+    tolerance: float
+    #: First index on loop A, and number of vertices, 1 to the loop's length. The arc follows the loop as given, and
+    #: may pass its end.
+    arc_a: Sequence[int]
+    #: As arc_a, for loop B.
+    arc_b: Sequence[int]
+    #: Search effort.
+    search: choices.StripSearch
+    #: First meridian of a closed strip.
+    start: choices.StripStart
+    #: Positions of interior rows; ignored without rows, with a log message if set.
+    fairing: choices.Fairing
+    #: The treatment of faces that intersect each other.
+    intersections: choices.Intersections
+    #: Centre of a loop.
+    centres: choices.Centres
+    #: The side that closed components of a result face.
+    outward: choices.Outward
+    #: Surface between the rims.
+    finish: choices.Finish
+
+
+class FillOptions(TypedDict, total=False):
+    """Fields of ``gusset_fill_options``; what is not given is as by default."""
+
+    #: Weight that the triangulation of a hole minimises.
+    weight: choices.FillWeight
+    #: New vertices of patches.
+    refine: choices.FillRefinement
+    #: Fairing of new vertices. Without new vertices it is ignored, and the log says so.
+    fairing: choices.Fairing
+    #: Loops that stay open. Read only if all loops are selected.
+    keep: choices.FillKeep
+    #: Treatment of patch faces that intersect each other or old faces: GUSSET_INTERSECTIONS_AUTO avoids them, REPORT
+    #: reports them, IGNORE does not look for them.
+    intersections: choices.Intersections
+    #: If 1, fills and turns over nothing. The report says which loops would be filled, by which weight and finish. It
+    #: does not predict failed triangulations or shared patches.
+    plan_only: bool
+    #: Approximate limit on the new vertices of a patch, kept by larger triangles, exceeded at most twofold. 0:
+    #: 50,000, or 4 for each rim vertex if more, and as many again for sharp angles there.
+    max_new_vertices: int
+    #: Most edges of a loop to fill. 0: no limit.
+    max_edges: int
+    #: Largest length of a loop to fill, at least 0. 0: no limit.
+    max_length: float
+    #: Largest diagonal of the axis-aligned box of a loop to fill, at least 0. 0: no limit.
+    max_diameter: float
+    #: Largest area, as in gusset_hole, of a loop to fill, at least 0. 0: no limit.
+    max_area: float
+    #: Orientation of closed components of the result, patches included.
+    outward: choices.Outward
+    #: Choice of loops that share a patch. Read only without groups.
+    together: choices.FillTogether
+    #: Group number of each given loop, loop_count in all. Loops with equal numbers share a patch of genus 0, without
+    #: loops left open for their own reasons. NULL: see together.
+    groups: ArrayLike
+    #: Smoothness between faired patches and the old surface.
+    continuity: choices.FillContinuity
+    #: If 1, creases of the old surface end at the rim.
+    ignore_creases: bool
+
+
+class StripOptions(TypedDict, total=False):
+    """Fields of ``gusset_strip_options``; what is not given is as by default."""
+
+    #: Rule for the meridians.
+    meridians: choices.Meridians
+    #: Search effort.
+    search: choices.StripSearch
+    #: First meridian of closed polylines; open ones start at their first points.
+    start: choices.StripStart
+    #: 1 if the polylines are closed.
+    closed: bool
+    #: Number of interior rows; the mean edge is of both polylines.
+    rows: choices.RowRule
+    #: Interior rows.
+    row_count: int
+    #: Faces of the strip.
+    cells: choices.StripCells
+
+
+class WeldOptions(TypedDict, total=False):
+    """Fields of ``gusset_weld_options``; what is not given is as by default."""
+
+    #: Vertices that are welded.
+    vertices: choices.WeldVertices
+    #: Distance at which vertices coincide. - GUSSET_TOLERANCE_GIVEN: at most tolerance. - GUSSET_TOLERANCE_EXACT: 0;
+    #: -0 equals 0. - GUSSET_TOLERANCE_AUTO: at most 2^-19 of the largest coordinate for 32-bit positions, 2^-48 for
+    #: 64-bit ones, or, if more, twice the last decimal place that positions show. At each vertex it is at most a
+    #: quarter of the shortest edge, so that no edge collapses. - Last decimal place: let D be the largest power of
+    #: ten up to the longest side of the box of the vertices. The place is the largest of 1e-5 D, 1e-6 D, ... of which
+    #: a third of the coordinates of the largest order of magnitude, or of the differences between consecutive
+    #: vertices, are multiples. Multiples of 1e-4 D are left out; at least eight other numbers are needed.
+    tolerance_mode: choices.ToleranceMode
+    #: Largest distance of coincident vertices, finite, at least 0.
+    tolerance: float
+    #: Treatment of coincident corners of one face.
+    collapse: choices.Collapse
+    #: Treatment of vertices that no face uses.
+    unused: choices.Unused
+
+
+class OrientOptions(TypedDict, total=False):
+    """Fields of ``gusset_orient_options``; what is not given is as by default."""
+
+    #: Orientation of closed components.
+    outward: choices.Outward
+
+
+class AlignmentOptions(TypedDict, total=False):
+    """Fields of ``gusset_alignment_options``; what is not given is as by default."""
+
+    #: Initial poses.
+    start: choices.AlignmentStart
+    #: Points of each piece to match; 0: 2,000.
+    samples: int
+    #: Rigid motions of the pieces, or NULL.
+    poses: ArrayLike
+    #: Largest distance of matched points, in the unit of the positions, finite, at least 0. 0: a tenth of the largest
+    #: piece's box diagonal. Pieces may start about this far from their final poses.
+    max_distance: float
+    #: Rounds in each of two stages, at most; 0: 100.
+    max_rounds: int
+
+
+class TrimOptions(TypedDict, total=False):
+    """Fields of ``gusset_trim_options``; what is not given is as by default."""
+
+    #: Largest distance of surfaces that count as one, in the unit of the positions, finite, at least 0. 0: 4 mean
+    #: edges of the coarser piece.
+    max_distance: float
+    #: Largest angle between their normals, in radians, at least 0, below pi / 2; 0: 60 degrees.
+    max_angle: float
+    #: x, y, z for each piece, in the unit of the positions, or NULL. Parts seen at flat angles weigh less.
+    viewpoints: ArrayLike
+    #: Islands of fewer faces are removed; 0: 30. The limit is 20 times as large for islands that other pieces also
+    #: show. Holes below that limit are not made.
+    min_faces: int
+
+
+class BoundaryOptions(TypedDict, total=False):
+    """Fields of ``gusset_boundary_options``; what is not given is as by default."""
+
+    #: Treatment of edges with three or more faces.
+    non_manifold: choices.NonManifold
+    #: Part of the mesh that is checked.
+    survey: choices.Survey
+
+
+class DevelopOptions(TypedDict, total=False):
+    """Fields of ``gusset_develop_options``; what is not given is as by default."""
+
+    #: Distortion that a development minimises.
+    distortion: choices.Distortion
+    #: Largest number of darts: cuts from the border of a chart to where it is curved.
+    max_darts: int
+    #: Vertices of the paths to cut along, path after path. Consecutive vertices are connected by the shortest path
+    #: along edges. A path of one vertex cuts nothing.
+    cuts: ArrayLike
+    #: Start of each path in cuts, and the end of the last. Empty: one path.
+    cut_offsets: ArrayLike
+    #: Darts stop once no length changes by a larger factor, finite and above 1. 0: no limit.
+    max_stretch: float
+    #: Largest number of steps of a descent. Charts whose border would meet itself, and GUSSET_DISTORTION_RIGID, need
+    #: several descents. 0: 200.
+    max_iterations: int
+
+
+class FacingOptions(TypedDict, total=False):
+    """Fields of ``gusset_facing_options``; what is not given is as by default."""
+
+    #: Choice among runs of facing vertices.
+    run: choices.FacingRun
+    #: Source of the tolerance.
+    tolerance_mode: choices.ToleranceMode
+    #: Facing vertices are farther than this from the plane of their loop. In the unit of the points; finite, at least
+    #: 0.
+    tolerance: float
+    #: Centre of a loop.
+    centres: choices.Centres
+
+
+class GlueOptions(TypedDict, total=False):
+    """Fields of ``gusset_glue_options``; what is not given is as by default."""
+
+    #: For detect: largest distance of coincident nodes, at least 0 and finite.
+    tolerance: float
+    #: Gluings to add, at any alignment.
+    gluings: ArrayLike
+    #: Links to contract, at any alignment; see contracted of gusset_net_analysis_view.
+    links: ArrayLike
+    #: 1: replaces the gluing by the one that coordinates imply. It glues coincident neighbours, and coincident runs
+    #: of two or more side nodes in either direction. The orientation stays.
+    detect: bool
+    #: 1: canonical form. Every link whose ends are one point is contracted, and redundant seams are dropped. Nets
+    #: that glue equal neighbours then have equal matrices. detect implies it.
+    saturate: bool
+    #: 1: moves all nodes of a point to its first node, bit for bit.
+    snap: bool
+
+
+class NetPrimitive(TypedDict, total=False):
+    """Fields of ``gusset_net_primitive``; what is not given is as by default."""
+
+    #: Standard shape, the measures that it reads, the least rows x columns.
+    shape: choices.NetShape
+    #: Type of coordinates.
+    scalar: choices.Scalar
+    #: Rows of nodes; 0: 33. Boxes and lathes ignore it.
+    rows: int
+    #: Columns of nodes; 0: 65. Boxes ignore it.
+    columns: int
+    #: Above 0.
+    radius: float
+    #: Above 0.
+    minor_radius: float
+    #: Height along z, above 0.
+    height: float
+    #: Sizes along x, y and z, above 0.
+    size: Sequence[float]
+    #: Distance from the axis, at least 0, and height of each point, upwards, at any alignment. Points on the axis are
+    #: poles. A closed profile makes a ring.
+    profile: ArrayLike
+    #: Lateral faces of a prism or pyramid, at least 3.
+    sides: int
+    #: Layout of the caps of a box.
+    box_kind: choices.BoxKind
+    #: Cells of a box along x, y and z, at least 1 each.
+    cells: Sequence[int]
+
+
 class NetMeshOptions(TypedDict, total=False):
     """Fields of ``gusset_net_mesh_options``; what is not given is as by default."""
 
     #: Faces of a net's mesh.
-    faces: Literal['quads', 'triangles_shorter', 'triangles_fixed']
+    faces: choices.NetFaces
     #: 1: one vertex for each node, nothing glued; 0: glued nodes are one vertex.
     no_weld: bool
     #: 1: keeps finite vertices without faces and wires.
@@ -233,17 +348,60 @@ class NetMeshOptions(TypedDict, total=False):
     max_edge_ratio: float
 
 
+class NetGridOptions(TypedDict, total=False):
+    """Fields of ``gusset_net_grid_options``; what is not given is as by default."""
+
+    #: Cells of a grid in a mesh.
+    cells: choices.GridCells
+    #: 1: only the component of face must be a grid; 0: the whole mesh.
+    has_face: bool
+    #: Face of the component.
+    face: int
+
+
+class NetCopyOptions(TypedDict, total=False):
+    """Fields of ``gusset_net_copy_options``; what is not given is as by default."""
+
+    #: First row of the part.
+    row_first: int
+    #: Rows of the part, at least 2; 0: all from row_first on.
+    row_count: int
+    #: First column of the part.
+    column_first: int
+    #: Columns of the part, at least 2; 0: all from column_first on.
+    column_count: int
+    #: Rows after replication, at least the present number; 0: no replication. Links between copies are contracted.
+    rows: int
+    #: Columns after replication, likewise.
+    columns: int
+    #: 1: removes rows and columns that repeat the previous one. All links between both are contracted; coordinates
+    #: and links along them are equal. Two rows, two columns and the ends of bridges stay.
+    compact: bool
+    #: For rows.
+    row_replication: choices.Replication
+    #: For columns.
+    column_replication: choices.Replication
+    #: Row to replicate.
+    row_index: int
+    #: Column to replicate.
+    column_index: int
+    #: Symmetry that is applied.
+    turn: choices.NetTurn
+    #: Type of coordinates; 0: unchanged. Conversion to float rounds; nodes that overflow become missing.
+    scalar: choices.Scalar
+
+
 class ConcatenateOptions(TypedDict, total=False):
     """Fields of ``gusset_concatenate_options``; what is not given is as by default."""
 
     #: For welding: largest distance of coincident nodes, at least 0.
     tolerance: float
     #: Direction from each net to the next.
-    direction: Literal['right', 'down']
+    direction: choices.Direction
     #: Treatment of the cells of a bridge.
-    mode: Literal['keep', 'hide', 'weld']
+    mode: choices.BridgeMode
     #: Enlargement of nets with fewer nodes along the side.
-    equalise: Literal['uniform', 'first', 'last', 'at', 'at_poles', 'refuse']
+    equalise: choices.Replication
     #: Row or column to replicate.
     equalise_index: int
     #: Rotation of each net except the first along its closed side, in nodes.
@@ -252,6 +410,64 @@ class ConcatenateOptions(TypedDict, total=False):
     turn: bool
     #: Inner rows or columns of each new bridge, evenly on straight lines; 0 for GUSSET_BRIDGE_WELD.
     rows: int
+
+
+class NetAnalysisOptions(TypedDict, total=False):
+    """Fields of ``gusset_net_analysis_options``; what is not given is as by default."""
+
+    #: Fields, as for gusset_net_deform.
+    fields: ArrayLike
+    #: Time, as for gusset_net_deform.
+    time: float
+    #: Lengths up to this count as 0; at least 0 and finite.
+    tolerance: float
+
+
+class PlanariseOptions(TypedDict, total=False):
+    """Fields of ``gusset_planarise_options``; what is not given is as by default."""
+
+    #: Distance of corners from their mean plane, relative to the diagonal of the bounding box; 0: 1e-10, or 4e-7 for
+    #: float.
+    tolerance: float
+    #: One byte for each node. 1: the node and all nodes glued to it stay; 0: it may move. NULL: all may move.
+    fixed: ArrayLike
+    #: Largest number of steps; 0: 100.
+    max_iterations: int
+    #: 1: boundary vertices of the surface stay.
+    keep_boundary: bool
+
+
+class SettleOptions(TypedDict, total=False):
+    """Fields of ``gusset_settle_options``; what is not given is as by default."""
+
+    #: Largest displacement of the last step, relative to the diagonal of the bounding box; 0: 1e-12.
+    tolerance: float
+    #: Ratio of rest lengths to lengths in the reference, above 0; 0: 1.
+    rest_ratio: float
+    #: One byte for each part between bridges, in order: 1 moves it as a rigid body, 0 holds it. NULL holds all.
+    free: ArrayLike
+    #: Largest number of steps; 0: 1000.
+    max_iterations: int
+
+
+class WingedOptions(TypedDict, total=False):
+    """Fields of ``gusset_winged_options``; what is not given is as by default."""
+
+    #: Orientation of faces in a mesh.
+    winding: choices.Winding
+
+
+class StreamOptions(TypedDict, total=False):
+    """Fields of ``gusset_stream_options``; what is not given is as by default."""
+
+    #: Rows of each independently coded block. 0: about 2^17 nodes a block, or one block for RAW.
+    rows_per_block: int
+    #: Storage of coordinates in a stream.
+    mode: choices.StreamMode
+    #: QUANTISED: bits of a coordinate, 8 to 24; 0: 14. Else 0.
+    bits: int
+    #: QUANTISED, 1: each axis has its own step; 0: the longest extent gives the step of all. Else 0.
+    per_axis: int
 
 
 class SurfaceOptions(TypedDict, total=False):
@@ -279,7 +495,7 @@ class ContourOptions(TypedDict, total=False):
     #: A length above 0, finite. Values below the surface's tolerance act as the tolerance.
     chord: float
     #: Curve points between crossings with cell sides.
-    spacing: Literal['auto', 'chord', 'cell_edges', 'leus']
+    spacing: choices.SpacingRule
     #: Points between two crossings, at most 1000.
     points: int
 
@@ -295,7 +511,7 @@ class IntersectionOptions(TypedDict, total=False):
     #: tolerances may be lost.
     tolerance: float
     #: Not GUSSET_POINT_SPACING_LEUS. GUSSET_POINT_SPACING_AUTO refers to the smaller surface.
-    spacing: Literal['auto', 'chord', 'cell_edges', 'leus']
+    spacing: choices.SpacingRule
 
 
 class SheetMeshOptions(TypedDict, total=False):
@@ -311,35 +527,52 @@ class SheetMeshOptions(TypedDict, total=False):
     triangles: bool
 
 
-class DevelopOptions(TypedDict, total=False):
-    """Fields of ``gusset_develop_options``; what is not given is as by default."""
+class FrameOptions(TypedDict, total=False):
+    """Fields of ``gusset_frame_options``; what is not given is as by default."""
 
-    #: Distortion that a development minimises.
-    distortion: Literal['symmetric', 'rigid', 'conformal']
-    #: Largest number of darts: cuts from the border of a chart to where it is curved.
-    max_darts: int
-    #: Vertices of the paths to cut along, path after path. Consecutive vertices are connected by the shortest path
-    #: along edges. A path of one vertex cuts nothing.
-    cuts: ArrayLike
-    #: Start of each path in cuts, and the end of the last. Empty: one path.
-    cut_offsets: ArrayLike
-    #: Darts stop once no length changes by a larger factor, finite and above 1. 0: no limit.
-    max_stretch: float
-    #: Largest number of steps of a descent. Charts whose border would meet itself, and GUSSET_DISTORTION_RIGID, need
-    #: several descents. 0: 200.
-    max_iterations: int
+    #: Correspondence of points between sections.
+    correspondence: choices.CorrespondenceRule
+    #: ARC_LENGTH, ANGLE: nodes in a section. LANDMARKS: parts between two landmarks.
+    columns: int
+    #: 1: the first section follows the last.
+    ring: bool
+    #: ARC_LENGTH. 1: closed sections start at their first points, or at the common corner after the first section's
+    #: first point.
+    given_starts: bool
+    #: 1: only constraints make corners. 0: corners are also points where the polygon turns by 40 degrees and far more
+    #: than usual, or by `corner_angle` of `across` if less than pi.
+    smooth_corners: bool
+    #: ANGLE: a point of the axis.
+    axis_point: Sequence[float]
+    #: ANGLE: direction of the axis; seen against it angles grow counter-clockwise.
+    axis_direction: Sequence[float]
+    #: ANGLE: direction of column 0, not parallel to the axis (at its first point if bent).
+    reference: Sequence[float]
+    #: ANGLE, bent axis: a point for each section, x, y, z, in place of axis_point and axis_direction. The axis
+    #: follows circles through three consecutive points; the reference does not rotate about it. NULL: straight.
+    axis_points: ArrayLike
+    #: LANDMARKS: for each section the same number of indices into its own points, in order.
+    landmarks: ArrayLike
+    #: Options of the curves across; NULL: defaults.
+    across: OutlineOptions
+    #: Options of the curves along; NULL: defaults.
+    along: OutlineOptions
+    #: GIVEN: indices of missing points over all sections, in any order. Their coordinates are not read. Each is
+    #: interpolated by a Catmull-Rom curve through up to two nodes before and after it in the column, with centripetal
+    #: parameters from adjacent columns.
+    missing: ArrayLike
 
 
 class JoinOptions(TypedDict, total=False):
     """Fields of ``gusset_join_options``; what is not given is as by default."""
 
     #: Treatment of coincident borders.
-    weld: Literal['sew', 'none', 'edge_to_edge']
+    weld: choices.Welding
     #: GUSSET_ORIENTATION_FIX reverses the minority of faces in each component, then components against the ones that
     #: they face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores outward.
     orientation: Literal['fix', 'keep']
     #: Widest gap to close.
-    gap: Literal['auto', 'given']
+    gap: choices.Gap
     #: 1 joins whole loops only, not runs and slits.
     whole_loops_only: bool
     #: 1 also joins loops of one component that pairs does not name.
@@ -363,166 +596,264 @@ class JoinOptions(TypedDict, total=False):
     fill_options: FillOptions
     #: Side that closed components face, by default outwards, walls of cavities included. Other components mostly keep
     #: the orientation of the first piece.
-    outward: Literal['auto', 'keep', 'closed']
+    outward: choices.Outward
     #: Treatment of overlapping pieces.
-    overlaps: Literal['keep', 'trim']
+    overlaps: choices.Overlaps
     #: Options of trimming; NULL for the defaults.
     trim_options: TrimOptions
 
 
-#: By struct: of each keyword its kind, the numbers of its words, and the field and word that it is read for.
-FIELDS: dict[str, dict[str, tuple[str, dict[str, int], Optional[tuple[str, str]]]]] = {
-    "gusset_weld_options": {
-        "vertices": ('choice', {'boundary': 0, 'all': 1}, None),
-        "tolerance_mode": ('choice', {'auto': 0, 'given': 1, 'exact': 2}, None),
-        "tolerance": ('float', {}, ('tolerance_mode', 'given')),
-        "collapse": ('choice', {'never': 0, 'allow': 1}, None),
-        "unused": ('choice', {'keep': 0, 'remove': 1}, None),
-    },
-    "gusset_orient_options": {
-        "outward": ('choice', {'auto': 0, 'keep': 1, 'closed': 2}, None),
-    },
-    "gusset_boundary_options": {
-        "non_manifold": ('choice', {'cut': 0, 'stop': 1}, None),
-        "survey": ('choice', {'whole_mesh': 0, 'boundary_only': 1}, None),
-    },
-    "gusset_stitch_options": {
-        "meridians": ('choice', {'continuation': 0, 'index': 1, 'arc_length': 2, 'greedy': 3, 'min_diagonal': 4, 'smooth': 5, 'quad': 6, 'min_area': 7}, None),
-        "orientation": ('choice', {'fix': 0, 'refuse': 1, 'keep': 2}, None),
-        "twist": ('int', {}, None),
-        "extent": ('choice', {'whole_loops': 0, 'open_arcs': 1, 'auto': 2, 'arcs': 3}, None),
-        "run": ('choice', {'closest': 0, 'longest': 1}, None),
-        "rows": ('choice', {'none': 0, 'mean_edge': 1, 'count': 2}, None),
-        "row_count": ('int', {}, ('rows', 'count')),
-        "cells": ('choice', {'triangles': 0, 'quads': 1}, None),
-        "tolerance_mode": ('choice', {'auto': 0, 'given': 1, 'exact': 2}, None),
-        "tolerance": ('float', {}, ('tolerance_mode', 'given')),
-        "arc_a": ('row', {}, ('extent', 'arcs')),
-        "arc_b": ('row', {}, ('extent', 'arcs')),
-        "search": ('choice', {'auto': 0, 'exact': 1}, None),
-        "start": ('choice', {'auto': 0, 'closest': 1, 'given': 2}, None),
-        "fairing": ('choice', {'none': 0, 'thin_plate': 1}, None),
-        "intersections": ('choice', {'auto': 0, 'ignore': 1, 'report': 2}, None),
-        "centres": ('choice', {'vertices': 0, 'length': 1}, None),
-        "outward": ('choice', {'auto': 0, 'keep': 1, 'closed': 2}, None),
-        "finish": ('choice', {'strip': 0, 'blend': 1}, None),
-    },
-    "gusset_fill_options": {
-        "weight": ('choice', {'continuation': 0, 'area_and_bend': 1, 'bend_then_area': 2, 'area': 3}, None),
-        "refine": ('choice', {'none': 0, 'rim_density': 1}, None),
-        "fairing": ('choice', {'none': 0, 'thin_plate': 1}, None),
-        "keep": ('choice', {'none': 0, 'longest': 1, 'borders': 2}, None),
-        "intersections": ('choice', {'auto': 0, 'ignore': 1, 'report': 2}, None),
-        "plan_only": ('flag', {}, None),
-        "max_new_vertices": ('int', {}, None),
-        "max_edges": ('int', {}, None),
-        "max_length": ('float', {}, None),
-        "max_diameter": ('float', {}, None),
-        "max_area": ('float', {}, None),
-        "outward": ('choice', {'auto': 0, 'keep': 1, 'closed': 2}, None),
-        "together": ('choice', {'apart': 0, 'one': 1, 'cheapest': 2}, None),
-        "groups": ('array', {}, None),
-        "continuity": ('choice', {'c1': 0, 'c2': 1}, None),
-        "ignore_creases": ('flag', {}, None),
-    },
-    "gusset_trim_options": {
-        "max_distance": ('float', {}, None),
-        "max_angle": ('float', {}, None),
-        "viewpoints": ('array', {}, None),
-        "min_faces": ('int', {}, None),
-    },
-    "gusset_alignment_options": {
-        "start": ('choice', {'as_given': 0, 'principal_axes': 1, 'rims': 2}, None),
-        "samples": ('int', {}, None),
-        "poses": ('array', {}, ('start', 'as_given')),
-        "max_distance": ('float', {}, None),
-        "max_rounds": ('int', {}, None),
-    },
+#: By struct.
+FIELDS: dict[str, dict[str, Keyword]] = {
     "gusset_outline_options": {
-        "curve": ('choice', {'composite': 0, 'single': 1, 'blend_c1': 2, 'blend_c2': 3, 'cubic_c2': 4, 'chain': 5}, None),
-        "method": ('choice', {'bisector': 0, 'median': 1, 'normal': 2, 'symmedian': 3, 'alpha': 4}, None),
-        "lock": ('choice', {'parameter': 0, 'self_consistent': 1, 'data_guide': 2}, None),
-        "joint": ('choice', {'half': 0, 'knot': 1, 'g2': 2}, None),
-        "solver": ('choice', {'fast': 0, 'step': 1}, None),
-        "ends": ('choice', {'free': 0, 'perpendicular': 1, 'level': 2, 'upright': 3, 'level_or_upright': 4}, None),
-        "alpha": ('float', {}, ('method', 'alpha')),
-        "parameter_limit": ('float', {}, None),
-        "repeat_tolerance": ('float', {}, None),
-        "corner_angle": ('float', {}, None),
-        "tolerance": ('float', {}, None),
-        "max_sweeps": ('int', {}, None),
-        "max_steps": ('int', {}, None),
+        "curve": Keyword('choice', choices.NUMBERS['gusset_curve_kind']),
+        "method": Keyword('choice', choices.NUMBERS['gusset_section_method']),
+        "lock": Keyword('choice', choices.NUMBERS['gusset_parameter_lock']),
+        "joint": Keyword('choice', choices.NUMBERS['gusset_joint_parameter']),
+        "solver": Keyword('choice', choices.NUMBERS['gusset_outline_solver']),
+        "ends": Keyword('choice', choices.NUMBERS['gusset_outline_ends']),
+        "alpha": Keyword('float', needs=('method', 'alpha')),
+        "parameter_limit": Keyword('float'),
+        "repeat_tolerance": Keyword('float'),
+        "corner_angle": Keyword('float'),
+        "tolerance": Keyword('float'),
+        "max_sweeps": Keyword('int'),
+        "max_steps": Keyword('int'),
     },
     "gusset_offset_options": {
-        "tolerance": ('float', {}, None),
-        "max_segments": ('int', {}, None),
-        "degree": ('int', {}, None),
+        "tolerance": Keyword('float'),
+        "max_segments": Keyword('int'),
+        "degree": Keyword('int'),
     },
-    "gusset_net_mesh_options": {
-        "faces": ('choice', {'quads': 0, 'triangles_shorter': 1, 'triangles_fixed': 2}, None),
-        "no_weld": ('flag', {}, None),
-        "keep_unused": ('flag', {}, None),
-        "fill_corners": ('flag', {}, None),
-        "texture": ('flag', {}, None),
-        "max_edge_ratio": ('float', {}, None),
+    "gusset_stitch_options": {
+        "meridians": Keyword('choice', choices.NUMBERS['gusset_meridians']),
+        "orientation": Keyword('choice', choices.NUMBERS['gusset_orientation']),
+        "twist": Keyword('int'),
+        "extent": Keyword('choice', choices.NUMBERS['gusset_stitch_extent']),
+        "run": Keyword('choice', choices.NUMBERS['gusset_facing_run']),
+        "rows": Keyword('choice', choices.NUMBERS['gusset_row_rule']),
+        "row_count": Keyword('int', needs=('rows', 'count')),
+        "cells": Keyword('choice', choices.NUMBERS['gusset_strip_cells']),
+        "tolerance_mode": Keyword('choice', choices.NUMBERS['gusset_tolerance_mode']),
+        "tolerance": Keyword('float', needs=('tolerance_mode', 'given')),
+        "arc_a": Keyword('row', needs=('extent', 'arcs')),
+        "arc_b": Keyword('row', needs=('extent', 'arcs')),
+        "search": Keyword('choice', choices.NUMBERS['gusset_strip_search']),
+        "start": Keyword('choice', choices.NUMBERS['gusset_strip_start']),
+        "fairing": Keyword('choice', choices.NUMBERS['gusset_fairing']),
+        "intersections": Keyword('choice', choices.NUMBERS['gusset_intersections']),
+        "centres": Keyword('choice', choices.NUMBERS['gusset_centres']),
+        "outward": Keyword('choice', choices.NUMBERS['gusset_outward']),
+        "finish": Keyword('choice', choices.NUMBERS['gusset_finish']),
     },
-    "gusset_concatenate_options": {
-        "tolerance": ('float', {}, None),
-        "direction": ('choice', {'right': 0, 'down': 1}, None),
-        "mode": ('choice', {'keep': 0, 'hide': 1, 'weld': 2}, None),
-        "equalise": ('choice', {'uniform': 0, 'first': 1, 'last': 2, 'at': 3, 'at_poles': 4, 'refuse': 5}, None),
-        "equalise_index": ('int', {}, ('equalise', 'at')),
-        "twist": ('int', {}, None),
-        "turn": ('flag', {}, None),
-        "rows": ('int', {}, None),
+    "gusset_fill_options": {
+        "weight": Keyword('choice', choices.NUMBERS['gusset_fill_weight']),
+        "refine": Keyword('choice', choices.NUMBERS['gusset_fill_refinement']),
+        "fairing": Keyword('choice', choices.NUMBERS['gusset_fairing']),
+        "keep": Keyword('choice', choices.NUMBERS['gusset_fill_keep']),
+        "intersections": Keyword('choice', choices.NUMBERS['gusset_intersections']),
+        "plan_only": Keyword('flag'),
+        "max_new_vertices": Keyword('int'),
+        "max_edges": Keyword('int'),
+        "max_length": Keyword('float'),
+        "max_diameter": Keyword('float'),
+        "max_area": Keyword('float'),
+        "outward": Keyword('choice', choices.NUMBERS['gusset_outward']),
+        "together": Keyword('choice', choices.NUMBERS['gusset_fill_together']),
+        "groups": Keyword('array', shape=('loop_count',)),
+        "continuity": Keyword('choice', choices.NUMBERS['gusset_fill_continuity']),
+        "ignore_creases": Keyword('flag'),
     },
-    "gusset_surface_options": {
-        "tolerance": ('float', {}, None),
-        "cones": ('flag', {}, None),
+    "gusset_strip_options": {
+        "meridians": Keyword('choice', choices.NUMBERS['gusset_meridians']),
+        "search": Keyword('choice', choices.NUMBERS['gusset_strip_search']),
+        "start": Keyword('choice', choices.NUMBERS['gusset_strip_start']),
+        "closed": Keyword('flag'),
+        "rows": Keyword('choice', choices.NUMBERS['gusset_row_rule']),
+        "row_count": Keyword('int', needs=('rows', 'count')),
+        "cells": Keyword('choice', choices.NUMBERS['gusset_strip_cells']),
     },
-    "gusset_nearest_options": {
-        "limit": ('float', {}, None),
-        "max_count": ('int', {}, None),
+    "gusset_weld_options": {
+        "vertices": Keyword('choice', choices.NUMBERS['gusset_weld_vertices']),
+        "tolerance_mode": Keyword('choice', choices.NUMBERS['gusset_tolerance_mode']),
+        "tolerance": Keyword('float', needs=('tolerance_mode', 'given')),
+        "collapse": Keyword('choice', choices.NUMBERS['gusset_collapse']),
+        "unused": Keyword('choice', choices.NUMBERS['gusset_unused']),
     },
-    "gusset_contour_options": {
-        "chord": ('float', {}, ('spacing', 'chord')),
-        "spacing": ('choice', {'auto': 0, 'chord': 1, 'cell_edges': 2, 'leus': 3}, None),
-        "points": ('int', {}, ('spacing', 'leus')),
+    "gusset_orient_options": {
+        "outward": Keyword('choice', choices.NUMBERS['gusset_outward']),
     },
-    "gusset_intersection_options": {
-        "chord": ('float', {}, ('spacing', 'chord')),
-        "tolerance": ('float', {}, None),
-        "spacing": ('choice', {'auto': 0, 'chord': 1, 'cell_edges': 2, 'leus': 3}, None),
+    "gusset_alignment_options": {
+        "start": Keyword('choice', choices.NUMBERS['gusset_alignment_start']),
+        "samples": Keyword('int'),
+        "poses": Keyword('array', shape=('pose_count',), needs=('start', 'as_given')),
+        "max_distance": Keyword('float'),
+        "max_rounds": Keyword('int'),
     },
-    "gusset_sheet_mesh_options": {
-        "tolerance": ('float', {}, None),
-        "min_u": ('int', {}, None),
-        "min_v": ('int', {}, None),
-        "triangles": ('flag', {}, None),
+    "gusset_trim_options": {
+        "max_distance": Keyword('float'),
+        "max_angle": Keyword('float'),
+        "viewpoints": Keyword('array', shape=('viewpoint_count', '3')),
+        "min_faces": Keyword('int'),
+    },
+    "gusset_boundary_options": {
+        "non_manifold": Keyword('choice', choices.NUMBERS['gusset_non_manifold']),
+        "survey": Keyword('choice', choices.NUMBERS['gusset_survey']),
     },
     "gusset_develop_options": {
-        "distortion": ('choice', {'symmetric': 0, 'rigid': 1, 'conformal': 2}, None),
-        "max_darts": ('int', {}, None),
-        "cuts": ('array', {}, None),
-        "cut_offsets": ('array', {}, None),
-        "max_stretch": ('float', {}, None),
-        "max_iterations": ('int', {}, None),
+        "distortion": Keyword('choice', choices.NUMBERS['gusset_distortion']),
+        "max_darts": Keyword('int'),
+        "cuts": Keyword('array'),
+        "cut_offsets": Keyword('array'),
+        "max_stretch": Keyword('float'),
+        "max_iterations": Keyword('int'),
+    },
+    "gusset_facing_options": {
+        "run": Keyword('choice', choices.NUMBERS['gusset_facing_run']),
+        "tolerance_mode": Keyword('choice', choices.NUMBERS['gusset_tolerance_mode']),
+        "tolerance": Keyword('float', needs=('tolerance_mode', 'given')),
+        "centres": Keyword('choice', choices.NUMBERS['gusset_centres']),
+    },
+    "gusset_glue_options": {
+        "tolerance": Keyword('float'),
+        "gluings": Keyword('array', shape=('gluing_count',)),
+        "links": Keyword('array', shape=('link_count',)),
+        "detect": Keyword('flag'),
+        "saturate": Keyword('flag'),
+        "snap": Keyword('flag'),
+    },
+    "gusset_net_primitive": {
+        "shape": Keyword('choice', choices.NUMBERS['gusset_net_shape']),
+        "scalar": Keyword('choice', choices.NUMBERS['gusset_scalar']),
+        "rows": Keyword('int'),
+        "columns": Keyword('int'),
+        "radius": Keyword('float'),
+        "minor_radius": Keyword('float'),
+        "height": Keyword('float'),
+        "size": Keyword('row'),
+        "profile": Keyword('array', shape=('profile_count', '2')),
+        "sides": Keyword('int'),
+        "box_kind": Keyword('choice', choices.NUMBERS['gusset_box_kind']),
+        "cells": Keyword('row'),
+    },
+    "gusset_net_mesh_options": {
+        "faces": Keyword('choice', choices.NUMBERS['gusset_net_faces']),
+        "no_weld": Keyword('flag'),
+        "keep_unused": Keyword('flag'),
+        "fill_corners": Keyword('flag'),
+        "texture": Keyword('flag'),
+        "max_edge_ratio": Keyword('float'),
+    },
+    "gusset_net_grid_options": {
+        "cells": Keyword('choice', choices.NUMBERS['gusset_grid_cells']),
+        "has_face": Keyword('flag', needs=('cells', 'quads')),
+        "face": Keyword('int', needs=('has_face', '1')),
+    },
+    "gusset_net_copy_options": {
+        "row_first": Keyword('int'),
+        "row_count": Keyword('int'),
+        "column_first": Keyword('int'),
+        "column_count": Keyword('int'),
+        "rows": Keyword('int'),
+        "columns": Keyword('int'),
+        "compact": Keyword('flag'),
+        "row_replication": Keyword('choice', choices.NUMBERS['gusset_replication']),
+        "column_replication": Keyword('choice', choices.NUMBERS['gusset_replication']),
+        "row_index": Keyword('int', needs=('row_replication', 'at')),
+        "column_index": Keyword('int', needs=('column_replication', 'at')),
+        "turn": Keyword('choice', choices.NUMBERS['gusset_net_turn']),
+        "scalar": Keyword('choice', choices.NUMBERS['gusset_scalar']),
+    },
+    "gusset_concatenate_options": {
+        "tolerance": Keyword('float'),
+        "direction": Keyword('choice', choices.NUMBERS['gusset_direction']),
+        "mode": Keyword('choice', choices.NUMBERS['gusset_bridge_mode']),
+        "equalise": Keyword('choice', choices.NUMBERS['gusset_replication']),
+        "equalise_index": Keyword('int', needs=('equalise', 'at')),
+        "twist": Keyword('int'),
+        "turn": Keyword('flag'),
+        "rows": Keyword('int'),
+    },
+    "gusset_net_analysis_options": {
+        "fields": Keyword('array', shape=('field_count',)),
+        "time": Keyword('float'),
+        "tolerance": Keyword('float'),
+    },
+    "gusset_planarise_options": {
+        "tolerance": Keyword('float'),
+        "fixed": Keyword('array', shape=('fixed_count',)),
+        "max_iterations": Keyword('int'),
+        "keep_boundary": Keyword('flag'),
+    },
+    "gusset_settle_options": {
+        "tolerance": Keyword('float'),
+        "rest_ratio": Keyword('float'),
+        "free": Keyword('array', shape=('free_count',)),
+        "max_iterations": Keyword('int'),
+    },
+    "gusset_winged_options": {
+        "winding": Keyword('choice', choices.NUMBERS['gusset_winding']),
+    },
+    "gusset_stream_options": {
+        "rows_per_block": Keyword('int'),
+        "mode": Keyword('choice', choices.NUMBERS['gusset_stream_mode']),
+        "bits": Keyword('int'),
+        "per_axis": Keyword('int'),
+    },
+    "gusset_surface_options": {
+        "tolerance": Keyword('float'),
+        "cones": Keyword('flag'),
+    },
+    "gusset_nearest_options": {
+        "limit": Keyword('float'),
+        "max_count": Keyword('int'),
+    },
+    "gusset_contour_options": {
+        "chord": Keyword('float', needs=('spacing', 'chord')),
+        "spacing": Keyword('choice', choices.NUMBERS['gusset_spacing_rule']),
+        "points": Keyword('int', needs=('spacing', 'leus')),
+    },
+    "gusset_intersection_options": {
+        "chord": Keyword('float', needs=('spacing', 'chord')),
+        "tolerance": Keyword('float'),
+        "spacing": Keyword('choice', choices.NUMBERS['gusset_spacing_rule']),
+    },
+    "gusset_sheet_mesh_options": {
+        "tolerance": Keyword('float'),
+        "min_u": Keyword('int'),
+        "min_v": Keyword('int'),
+        "triangles": Keyword('flag'),
+    },
+    "gusset_frame_options": {
+        "correspondence": Keyword('choice', choices.NUMBERS['gusset_correspondence_rule']),
+        "columns": Keyword('int'),
+        "ring": Keyword('flag'),
+        "given_starts": Keyword('flag'),
+        "smooth_corners": Keyword('flag'),
+        "axis_point": Keyword('row'),
+        "axis_direction": Keyword('row'),
+        "reference": Keyword('row'),
+        "axis_points": Keyword('array', shape=('axis_point_count', '3')),
+        "landmarks": Keyword('array'),
+        "across": Keyword('options'),
+        "along": Keyword('options'),
+        "missing": Keyword('array'),
     },
     "gusset_join_options": {
-        "weld": ('choice', {'sew': 0, 'none': 1, 'edge_to_edge': 2}, None),
-        "orientation": ('choice', {'fix': 0, 'keep': 2}, None),
-        "gap": ('choice', {'auto': 0, 'given': 1}, None),
-        "whole_loops_only": ('flag', {}, None),
-        "within_components": ('flag', {}, None),
-        "fill": ('flag', {}, None),
-        "max_gap": ('float', {}, ('gap', 'given')),
-        "pairs": ('array', {}, None),
-        "excluded": ('array', {}, None),
-        "weld_options": ('options:WeldOptions', {}, None),
-        "strip_options": ('options:StitchOptions', {}, None),
-        "fill_options": ('options:FillOptions', {}, None),
-        "outward": ('choice', {'auto': 0, 'keep': 1, 'closed': 2}, None),
-        "overlaps": ('choice', {'keep': 0, 'trim': 1}, None),
-        "trim_options": ('options:TrimOptions', {}, ('overlaps', 'trim')),
+        "weld": Keyword('choice', choices.NUMBERS['gusset_welding']),
+        "orientation": Keyword('choice', {'fix': 0, 'keep': 2}),
+        "gap": Keyword('choice', choices.NUMBERS['gusset_gap']),
+        "whole_loops_only": Keyword('flag'),
+        "within_components": Keyword('flag'),
+        "fill": Keyword('flag'),
+        "max_gap": Keyword('float', needs=('gap', 'given')),
+        "pairs": Keyword('array', shape=('pair_count',)),
+        "excluded": Keyword('array', shape=('excluded_count',)),
+        "weld_options": Keyword('options'),
+        "strip_options": Keyword('options'),
+        "fill_options": Keyword('options'),
+        "outward": Keyword('choice', choices.NUMBERS['gusset_outward']),
+        "overlaps": Keyword('choice', choices.NUMBERS['gusset_overlaps']),
+        "trim_options": Keyword('options', needs=('overlaps', 'trim')),
     },
 }

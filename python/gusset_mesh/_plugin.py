@@ -10,9 +10,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import indices_of, pointer, points_of
 from ._call import Progress, under_way
-from ._channels import Domain, Rule, carried
+from ._channels import carried
 from ._library import ffi, lib, text
 from ._records import lent
+from .choices import Domain, Rule
 from .errors import error
 from .mesh import Mesh, fill_view, lent_mesh, of_one_precision
 

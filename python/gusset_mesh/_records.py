@@ -1,58 +1,31 @@
-"""Structs of the library as Python objects: numbers, texts, arrays without a copy, and structs again."""
+"""Base classes of the structs in ``_reports``."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import Any
+from collections.abc import Iterator
+from functools import lru_cache
+from typing import Any, ClassVar, Generic, Optional, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ._library import ffi, text
+from . import choices
+from ._library import ffi, lib, number_of
 from .errors import error
 
 _DTYPES = {
     "double": np.float64, "float": np.float32, "uint8_t": np.uint8, "uint16_t": np.uint16, "uint32_t": np.uint32,
     "uint64_t": np.uint64, "int32_t": np.int32, "int64_t": np.int64, "size_t": np.uintp, "int": np.intc,
 }
-_THIRD = (lambda s: (s.parents.count // 3, 3))
-_PLACES = (lambda s: (s.point_count,))
-#: The shapes of arrays that no field beside them counts, or whose elements have several numbers.
-_SHAPES: dict[str, dict[str, Callable[[Any], tuple[int, ...]]]] = {
-    "gusset_curve_form_view": {"points": lambda s: (s.point_count, 3), "on_curve": _PLACES},
-    "gusset_curve_view": {"controls": lambda s: (s.control_count, 3)},
-    "gusset_develop_report": {"stretches": lambda s: (s.face_charts.count, 2), "points": lambda s: (s.vertex_map.count, 2)},
-    "gusset_fill_report": {"weights": _THIRD},
-    "gusset_net_mesh_report": {"texture_coordinates": lambda s: (s.texture_count, 2)},
-    "gusset_sheet_report": {"knots_u": lambda s: (s.rows + 1,), "knots_v": lambda s: (s.columns + 1,)},
-    "gusset_frame_view": {
-        **dict.fromkeys(("nodes", "across", "along"), lambda s: (s.rows, s.columns, 3)), "turned": lambda s: (s.rows,),
-    },
-    "gusset_loop_view": {"edge_flags": lambda s: (s.half_edges.count,)},
-    "gusset_orient_report": {"turned": lambda s: (s.face_count,)},
-    "gusset_origins_view": {"weights": lambda s: (s.sources.count,)},
-    "gusset_outline_view": {
-        "controls": lambda s: (s.control_count, 3), "starts": lambda s: (2 * s.outline_count + 2,),
-        "parameters": _PLACES, "statuses": _PLACES,
-    },
-    "gusset_places_view": {"points": lambda s: (s.count, 3), "overlaps": lambda s: (s.overlap_count, 4)},
-    "gusset_sheet_mesh_report": {"places": lambda s: (s.vertex_count,), "normals": lambda s: (s.vertex_count, 3)},
-    "gusset_stitch_report": {"weights": _THIRD},
-    "gusset_strip_report": {"weights": lambda s: (s.parents.count // 2,)},
-    "gusset_surface_hits_view": {"ends": lambda s: (s.query_count + 1,), "on_curve": lambda s: (s.on_curve_count // 3, 3)},
-    "gusset_surface_paths_view": {
-        **dict.fromkeys(("closed", "levels"), lambda s: (s.path_count,)),
-        **dict.fromkeys(("points", "normals"), lambda s: (s.point_count, 3)),
-        **dict.fromkeys(("places", "others"), _PLACES),
-    },
-}
 _HIDDEN = {"struct_size", "reserved"}
-#: Of a net: its nodes have strides, and Net.nodes has them.
-_UNTOLD = {"gusset_net_view": {"x", "y", "z"}}
+
+R = TypeVar("R", bound="Record")
+A = TypeVar("A", bound="RecordArray[Any]")
+W = TypeVar("W", bound=str)
 
 
 class _Lent:
-    """What numpy makes an array of that keeps what owns its memory."""
+    """Memory from which numpy makes an array that keeps the owner alive."""
 
     __slots__ = ("__array_interface__", "owner")
 
@@ -63,29 +36,22 @@ class _Lent:
 
 
 def lent(pointer: Any, shape: tuple[int, ...], dtype: Any, owner: object) -> NDArray[Any]:
-    """An array that reads the library's memory, which lives as long as the array; it cannot be written to."""
+    """A read-only array in the memory of the library, which lives as long as the array."""
     dtype = np.dtype(dtype)
     if not pointer or 0 in shape:
         return np.empty(shape, dtype)
-    # The names of fields do not go that way.
+    # The interface of arrays has no names of fields.
     array = np.asarray(_Lent(pointer, shape, dtype, owner))
     return array if dtype.names is None else array.view(dtype)
 
 
-def indices(struct: Any, owner: object) -> NDArray[np.uint32]:
-    """The numbers of a gusset_indices."""
-    return lent(struct.data, (struct.count,), np.uint32, owner)
-
-
 def indices_struct(array: NDArray[np.uint32]) -> Any:
-    """A gusset_indices of an array, which must stay alive."""
+    """Makes a gusset_indices of an array, which must stay alive."""
     return {"data": ffi.cast("uint32_t *", array.ctypes.data), "count": array.size}
 
 
 def dtype_of(ctype: Any) -> np.dtype[Any]:
-    """The numpy type of a C type of numbers or of a struct of numbers, with its padding."""
-    if ctype.kind == "enum":
-        return np.dtype(np.uint32)
+    """The numpy type of a C number, an array of numbers, or a struct of these, with its padding."""
     if ctype.kind == "primitive":
         return np.dtype(_DTYPES[ctype.cname])
     if ctype.kind == "array":
@@ -99,97 +65,163 @@ def dtype_of(ctype: Any) -> np.dtype[Any]:
     })
 
 
-def is_plain(ctype: Any) -> bool:
-    """Whether numbers are all that is in it."""
-    if ctype.kind == "array":
-        return is_plain(ctype.item)
-    if ctype.kind == "struct":
-        return all(is_plain(field.type) for _, field in ctype.fields)
-    return bool(ctype.kind in ("primitive", "enum"))
+@lru_cache(maxsize=None)
+def _table(choice: str) -> tuple[dict[int, str], NDArray[Any], NDArray[np.str_]]:
+    """The words of a choice by number; the numbers in increasing order, and their words."""
+    by_number = {number: name for name, number in choices.NUMBERS[choice].items()}
+    rising = sorted(by_number)
+    return by_number, np.array(rising, np.uint64), np.array([by_number[number] for number in rising])
 
 
-def _count(fields: dict[str, Any], name: str) -> str:
-    """The field that counts the elements of an array."""
-    for stem in (name, name.removesuffix("s"), name.removesuffix("ies") + "y", name.removesuffix("ces") + "x", name.rpartition("_")[2].removesuffix("s")):
-        if f"{stem}_count" in fields:
-            return f"{stem}_count"
-    if "count" in fields:
-        return "count"
-    raise AttributeError(f"nothing counts {name}")
+def word(number: int, choice: str) -> Any:
+    """The word for a number of a choice."""
+    return _table(choice)[0][number]
+
+
+def words(numbers: NDArray[Any], choice: str) -> NDArray[np.str_]:
+    """The words for numbers of a choice."""
+    _, rising, names = _table(choice)
+    found: NDArray[np.str_] = names[np.searchsorted(rising, numbers)]
+    return found
+
+
+def flags(number: int, choice: str) -> frozenset[Any]:
+    """The words for the bits of a number."""
+    return frozenset(name for name, bit in choices.NUMBERS[choice].items() if number & bit and bit & (bit - 1) == 0)
+
+
+class FlagArray(Generic[W]):
+    """Sets of words, one for each element: ``flags["proven"]`` says for each whether the word is in its set."""
+
+    __slots__ = ("numbers", "_choice")
+
+    def __init__(self, numbers: NDArray[Any], choice: str):
+        #: The sets as sums of constants.
+        self.numbers = numbers
+        self._choice = choice
+
+    def __getitem__(self, name: W) -> NDArray[np.bool_]:
+        found: NDArray[np.bool_] = (self.numbers & number_of(self._choice, "flag", name)) != 0
+        return found
+
+    def __len__(self) -> int:
+        return len(self.numbers)
+
+    def __repr__(self) -> str:
+        return f"<FlagArray of {len(self)}: {', '.join(sorted(choices.NUMBERS[self._choice]))}>"
 
 
 class Record:
-    """A struct that the library filled: attributes are named as its fields are in ``gusset.h``.
+    """A struct that the library filled, with a property for each field, named as in ``gusset.h``.
 
-    Arrays are not copied, cannot be written to, and keep what they are read from.
+    Arrays are not copied, cannot be written to, and keep alive what they are read from.
     """
 
-    __slots__ = ("_struct", "_fields", "_owner", "_shapes")
+    __slots__ = ("_struct", "_owner")
 
-    def __init__(self, struct: Any, owner: object = None):
-        ctype = ffi.typeof(struct)
+    #: The struct's name in C, and the function that fills it from a handle.
+    _NAME: ClassVar[str]
+    _GETTER: ClassVar[str]
+
+    def __init__(self, struct: Any, owner: object):
         self._struct = struct
-        self._fields = dict(ctype.fields)
         self._owner = owner
-        self._shapes = _SHAPES.get(ctype.cname.removeprefix("struct "), {})
+
+    @classmethod
+    def new(cls: type[R], owner: object = None) -> R:
+        """Makes a struct that a function fills: ``_struct`` points to it. The memory of its arrays belongs to ``owner``."""
+        struct = ffi.new(f"struct {cls._NAME} *")
+        struct.struct_size = ffi.sizeof(f"struct {cls._NAME}")
+        return cls(struct, (struct, owner))
+
+    @classmethod
+    def read(cls: type[R], handle: Any, *arguments: Any) -> R:
+        """Reads the struct of a handle.
+
+        Its arrays keep the handle alive, not the object that has it: a cycle through an array would never be collected.
+        """
+        made = cls.new(handle)
+        status = getattr(lib, cls._GETTER)(handle, *arguments, made._struct)
+        if status != 0:
+            raise error(status, "")
+        return made
+
+    def _array(self, name: str, *shape: int, part: Optional[int] = None) -> NDArray[Any]:
+        """An array of numbers or of structs of numbers; ``part`` selects one of several arrays."""
+        value = getattr(self._struct, name)
+        if part is not None:
+            value = value[part]
+        ctype = ffi.typeof(value)
+        if ctype.kind == "struct":  # gusset_indices
+            flat = lent(value.data, (value.count,), np.uint32, self._owner)
+            return flat.reshape(shape) if shape else flat
+        if ctype.kind == "array":
+            dtype, sizes = dtype_of(ctype).subdtype or (np.dtype(np.uint8), ())
+            return lent(ffi.addressof(value), sizes, dtype, self._owner).reshape(shape or sizes)
+        # An optional array that is missing is NULL.
+        return lent(value, shape if value else (0, *shape[1:]), dtype_of(ctype.item), self._owner)
+
+    def _list(self, kind: type[R], name: str, count: int) -> list[R]:
+        """A list of structs that contain arrays."""
+        first = getattr(self._struct, name)
+        return [kind(first[k], self._owner) for k in range(count)]
 
     def __reduce__(self) -> Any:
-        raise TypeError("a Record stays in its process: send its numbers and arrays")
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_"):
-            raise AttributeError(name)
-        field = self._fields.get(name)
-        if field is None or name in _HIDDEN:
-            raise AttributeError(f"no {name}; there are {', '.join(self)}")
-        value, ctype = getattr(self._struct, name), field.type
-        if ctype.kind == "primitive" or ctype.kind == "enum":
-            return int(value) if ctype.kind == "enum" else value
-        if ctype.kind == "array":
-            if is_plain(ctype.item) and ctype.item.kind != "struct":
-                return np.array(ffi.unpack(value, ctype.length) if ctype.item.kind != "array" else [list(row) for row in value])
-            return [self._struct_field(one) for one in value]
-        if ctype.kind == "struct":
-            return self._struct_field(value)
-        if ctype.item.cname == "char":
-            return text(value)
-        return self._array(name, value, ctype.item)
-
-    def _struct_field(self, value: Any) -> Any:
-        is_list = ffi.typeof(value).cname.startswith("struct gusset_indices")
-        return indices(value, self._owner) if is_list else Record(value, self._owner)
-
-    def _array(self, name: str, pointer: Any, item: Any) -> Any:
-        shape = self._shapes[name](self._struct) if name in self._shapes else (getattr(self._struct, _count(self._fields, name)),)
-        if is_plain(item):
-            # NULL stands for none of what is optional.
-            return lent(pointer, shape if pointer else (0, *shape[1:]), dtype_of(item), self._owner)
-        return [Record(pointer[k], self._owner) for k in range(shape[0])]
-
-    def __iter__(self) -> Iterator[str]:
-        untold = _UNTOLD.get(ffi.typeof(self._struct).cname.removeprefix("struct "), set())
-        return (name for name in self._fields if name not in _HIDDEN | untold)
-
-    def __dir__(self) -> list[str]:
-        return list(self)
+        raise TypeError(f"a {type(self).__name__} stays in its process: send its numbers and arrays")
 
     def __repr__(self) -> str:
         def short(value: Any) -> str:
             if isinstance(value, np.ndarray) and value.size > 8:
-                return f"<{'x'.join(map(str, value.shape))} {value.dtype.name if value.dtype.names is None else 'records'}>"
-            return f"<{len(value)} records>" if isinstance(value, list) and len(value) > 2 else repr(value)
+                return f"<{'x'.join(map(str, value.shape))} {value.dtype.name}>"
+            return f"<{len(value)} {type(value[0]).__name__}>" if isinstance(value, list) and len(value) > 2 else repr(value)
 
-        return f"Record({', '.join(f'{name}={short(getattr(self, name))}' for name in self)})"
+        names = [name for name, value in vars(type(self)).items() if isinstance(value, property)]
+        return f"{type(self).__name__}({', '.join(f'{name}={short(getattr(self, name))}' for name in names)})"
 
 
-def filled(function: Any, struct: str, handle: Any) -> Record:
-    """What a function of a handle tells in a struct that has struct_size.
+class RecordArray(Generic[R]):
+    """An array of structs of numbers. Each attribute is a field of all of them; ``array`` has the structs as numpy's records.
 
-    Arrays keep the handle, not the object that has it: a ring through an array would never be collected.
+    ``holes[0].length`` is a number, ``holes.length`` an array of numbers, and ``holes[holes.length > 1]`` a selection of the structs.
     """
-    made = ffi.new(f"struct {struct} *")
-    made.struct_size = ffi.sizeof(f"struct {struct}")
-    status = function(handle, made)
-    if status != 0:
-        raise error(status, "")
-    return Record(made[0], (made, handle))
+
+    __slots__ = ("array",)
+
+    #: The class of its elements.
+    RECORD: ClassVar[type[Record]]
+
+    def __init__(self, array: NDArray[Any]):
+        self.array = array
+
+    @classmethod
+    def zeros(cls: type[A], count: int) -> A:
+        """Makes structs that a function fills."""
+        return cls(np.zeros(count, dtype_of(ffi.typeof(f"struct {cls.RECORD._NAME}"))))
+
+    def pointer(self) -> Any:
+        """The address of packed structs."""
+        return ffi.cast(f"struct {self.RECORD._NAME} *", self.array.ctypes.data)
+
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> NDArray[Any]:
+        return np.array(self.array, dtype) if copy else np.asarray(self.array, dtype)
+
+    def __len__(self) -> int:
+        return len(self.array)
+
+    @overload
+    def __getitem__(self, index: Union[int, tuple[int, int]]) -> R: ...
+
+    @overload
+    def __getitem__(self: A, index: Union[slice, NDArray[Any]]) -> A: ...
+
+    def __getitem__(self, index: Any) -> Any:
+        found = self.array[(*(index if isinstance(index, tuple) else (index,)), ...)]
+        if found.ndim:
+            return type(self)(found)
+        return self.RECORD(ffi.cast(f"struct {self.RECORD._NAME} *", found.ctypes.data), found)
+
+    def __iter__(self) -> Iterator[R]:
+        return (self[k] for k in range(len(self)))
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} of {'x'.join(map(str, self.array.shape))}>"

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._channels import Domain, Rule
 from ._polydata import numpy_of, surface_of
+from .choices import Domain, Rule
 from .errors import InputError
 from .mesh import from_polydata
 

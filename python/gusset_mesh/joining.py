@@ -1,39 +1,41 @@
-"""Meshes that come in pieces: their borders, and what joins, mends and checks them."""
+"""Boundary loops, joining, filling, repair and checks of polygon meshes."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
-from typing import Any, Optional
+from typing import Any, Optional, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import indices_of
 from ._call import Progress
-from ._handles import Handle, MeshResult, create, result
+from ._handles import Reported, Result, create, result
 from ._keywords import options as structs
 from ._library import ffi, holding, lib
-from ._options import (AlignOptions, BoundaryOptions, DevelopOptions, FillOptions, JoinOptions, OrientOptions, StitchOptions, TrimOptions, Unpack,
-                       WeldOptions)
-from ._records import Record, filled, indices_struct
+from ._options import (AlignmentOptions, BoundaryOptions, DevelopOptions, FillOptions, JoinOptions, OrientOptions, StitchOptions, TrimOptions,
+                       Unpack, WeldOptions)
+from ._records import indices_struct
+from ._reports import (AlignmentView, BoundaryView, CheckView, DevelopReport, FillReport, HoleArray, JoinReport, Joint, LoopView, OrientReport,
+                       QualityReport, SewReport, StitchReport, TrimView, WeldReport)
 from .mesh import Mesh, MeshLike, as_mesh, of_one_precision, view_of, views_of
 
-__all__ = ["Aligned", "Boundary", "Checked", "Developed", "Filled", "Joined", "Oriented", "Sewn", "Stitched", "Trimmed", "Welded",
+__all__ = ["Alignment", "Boundary", "Check", "Development", "Fill", "Join", "Orient", "Sew", "Stitch", "Trim", "Weld",
            "align", "boundary_loops", "check", "develop", "fill", "join", "orient", "sew", "stitch", "trim", "weld"]
 
 
 def _create(kind: str, meshes: Sequence[Mesh], *arguments: Any, threads: int = 0, progress: Optional[Progress] = None) -> Any:
-    """What is made of meshes, by a call of which they are the first arguments."""
+    """Creates a handle by a function whose first arguments are meshes."""
     return create(kind, views_of(meshes), *arguments, threads=threads, progress=progress, is_short=kind in _QUICK and _are_small(meshes))
 
 
 def _result(function: str, meshes: Sequence[Mesh], *arguments: Any, threads: int = 0, progress: Optional[Progress] = None) -> Any:
-    """The same, of a mesh that is made of meshes."""
+    """Calls a function that makes a mesh from meshes, its first arguments."""
     return result(function, views_of(meshes), *arguments, threads=threads, progress=progress, is_short=function in _QUICK and _are_small(meshes))
 
 
-#: What takes time in proportion to the mesh: of a small one it ends before anybody could want to stop it.
+#: Functions of linear time. On a small mesh they end before a signal could stop them.
 _QUICK = {"boundary", "check", "weld", "sew", "orient"}
 
 
@@ -41,37 +43,39 @@ def _are_small(meshes: Sequence[Mesh]) -> bool:
     return sum(len(mesh.corners) for mesh in meshes) < 3000
 
 
-class Boundary(Handle, Sequence[Record]):
-    """The boundary loops of a mesh: each has ``vertices``, ``half_edges``, ``faces`` and ``length``."""
+class Boundary(Reported[BoundaryView], Sequence[LoopView]):
+    """The boundary loops of a mesh; ``report`` has its defects."""
 
-    KIND = "boundary"
+    REPORT = BoundaryView
 
     def __len__(self) -> int:
-        return int(self.account.loop_count)
+        return self.report.loop_count
 
-    def __getitem__(self, index: Any) -> Any:
-        if isinstance(index, slice):
-            return [self[k] for k in range(*index.indices(len(self)))]
-        if not -len(self) <= index < len(self):
-            raise IndexError(index)
-        place = index % len(self)
-        return filled(lambda handle, view: lib.gusset_boundary_get_loop(handle, place, view), "gusset_loop_view", self._handle)
+    @overload
+    def __getitem__(self, index: int) -> LoopView: ...
 
-    def __iter__(self) -> Iterator[Record]:
+    @overload
+    def __getitem__(self, index: slice) -> list[LoopView]: ...
+
+    def __getitem__(self, index: Union[int, slice]) -> Union[LoopView, list[LoopView]]:
+        places = range(len(self))[index]
+        return [self[k] for k in places] if isinstance(places, range) else LoopView.read(self._handle, places)
+
+    def __iter__(self) -> Iterator[LoopView]:
         return (self[k] for k in range(len(self)))
 
 
 def boundary_loops(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[BoundaryOptions]) -> Boundary:
-    """The loops of edges that have one face each, with the surface on their left.
+    """Finds the boundary loops of a mesh: chains of edges with one face each. The surface is on their left.
 
     Args:
         mesh: a :class:`Mesh`, points and faces, or a mesh of another library.
-        threads: 0 for as many as there are cores; results do not depend on it.
-        progress: called with the part done and what is being done; what it raises cancels, as Ctrl-C does.
+        threads: number of threads; 0: one for each core. Results do not depend on it.
+        progress: receives the fraction done and the stage. An exception in it cancels the call.
         options: see :class:`~gusset_mesh.BoundaryOptions`.
 
     Raises:
-        InputError: the mesh cannot be used; ``element`` and ``index`` say what is wrong.
+        InputError: the mesh is bad; ``element`` and ``index`` name the element at fault.
 
     >>> square = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]]
     >>> [loop.vertices.tolist() for loop in boundary_loops(square)]
@@ -80,129 +84,126 @@ def boundary_loops(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progr
     return Boundary(_create("boundary", [as_mesh(mesh)], structs("boundary_options", options), threads=threads, progress=progress))
 
 
-class Checked(Handle):
-    """What a mesh is: ``account`` has the elements at fault."""
+class Check(Reported[CheckView]):
+    """Properties of a mesh; ``report`` has the elements at fault."""
 
-    KIND = "check"
-
-    def _has(self, bit: str) -> bool:
-        return bool(self.account.properties & getattr(lib, f"GUSSET_MESH_{bit}"))
+    REPORT = CheckView
 
     @property
     def is_manifold(self) -> bool:
-        """No edge has three faces or more, and no vertex several fans."""
-        return self._has("MANIFOLD")
+        """Every edge has at most two faces, and every vertex one fan."""
+        return "manifold" in self.report.properties
 
     @property
     def is_oriented(self) -> bool:
-        """Neighbouring faces run the same way."""
-        return self._has("ORIENTED")
+        """Neighbouring faces agree in orientation."""
+        return "oriented" in self.report.properties
 
     @property
     def is_closed(self) -> bool:
         """Every edge has two faces."""
-        return self._has("CLOSED")
+        return "closed" in self.report.properties
 
     def __repr__(self) -> str:
         said = [word for word, holds in (("manifold", self.is_manifold), ("oriented", self.is_oriented), ("closed", self.is_closed)) if holds]
-        return f"<Checked: {', '.join(said) or 'none of manifold, oriented, closed'}>"
+        return f"<Check: {', '.join(said) or 'none of manifold, oriented, closed'}>"
 
 
-def check(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None) -> Checked:
-    """Whether a mesh is manifold, oriented and closed, and where it is not.
+def check(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None) -> Check:
+    """Checks whether a mesh is manifold, oriented and closed, and finds its defects.
 
     >>> check(([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
-    <Checked: manifold, oriented>
+    <Check: manifold, oriented>
     """
-    return Checked(_create("check", [as_mesh(mesh)], threads=threads, progress=progress))
+    return Check(_create("check", [as_mesh(mesh)], threads=threads, progress=progress))
 
 
-class Welded(MeshResult):
-    """A mesh whose vertices that lay together are one."""
+class Weld(Result[WeldReport]):
+    """A mesh with coincident vertices merged."""
 
-    KIND = "weld"
+    REPORT = WeldReport
 
 
-def weld(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[WeldOptions]) -> Welded:
-    """Makes vertices that lie together one; ``tolerance=0.1`` says how near, else no farther than rounding can have put them.
+def weld(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[WeldOptions]) -> Weld:
+    """Merges coincident vertices: within ``tolerance``, by default within the rounding of the positions.
 
     >>> apart = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [3, 4, 5]]
     >>> weld(apart, unused="remove").mesh.vertex_count
     4
     """
-    return Welded(_result("weld", [as_mesh(mesh)], structs("weld_options", options), threads=threads, progress=progress))
+    return Weld(_result("weld", [as_mesh(mesh)], structs("weld_options", options), threads=threads, progress=progress))
 
 
-class Sewn(MeshResult):
-    """A mesh whose borders that lay together are joined, edges split where they had to be."""
+class Sew(Result[SewReport]):
+    """A mesh with coincident borders sewn; edges are split where vertices do not match."""
 
-    KIND = "sew"
+    REPORT = SewReport
 
 
-def sew(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[WeldOptions]) -> Sewn:
-    """Joins borders that lie together although their vertices do not match: edges are split.
+def sew(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[WeldOptions]) -> Sew:
+    """Sews coincident borders. Edges are split where vertices do not match.
 
     >>> long = [[0, 0, 0], [2, 0, 0], [1, 1, 0]], [[0, 1, 2]]
     >>> short = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [1, -1, 0]], [[1, 0, 3], [2, 1, 3]]
     >>> both = long[0] + short[0], long[1] + [[v + 3 for v in face] for face in short[1]]
-    >>> sew(both, unused="remove").account.splits
+    >>> sew(both, unused="remove").report.splits
     1
     """
-    return Sewn(_result("sew", [as_mesh(mesh)], structs("weld_options", options), threads=threads, progress=progress))
+    return Sew(_result("sew", [as_mesh(mesh)], structs("weld_options", options), threads=threads, progress=progress))
 
 
-class Oriented(MeshResult):
-    """A mesh whose faces run the same way within each component."""
+class Orient(Result[OrientReport]):
+    """A mesh whose faces agree in orientation within each component."""
 
-    KIND = "orient"
+    REPORT = OrientReport
 
 
-def orient(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[OrientOptions]) -> Oriented:
-    """Turns over faces so that neighbours run the same way; ``outward="closed"``: closed components face outwards.
+def orient(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[OrientOptions]) -> Orient:
+    """Reverses faces until neighbours agree in orientation. With ``outward="closed"`` closed components face outwards.
 
-    >>> orient(([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 3, 2]])).account.turned_faces
+    >>> orient(([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 3, 2]])).report.turned_faces
     1
     """
-    return Oriented(_result("orient", [as_mesh(mesh)], structs("orient_options", options), threads=threads, progress=progress))
+    return Orient(_result("orient", [as_mesh(mesh)], structs("orient_options", options), threads=threads, progress=progress))
 
 
 def _loops(loops: Iterable[Any]) -> Any:
-    """Loops by their vertices, or as :func:`boundary_loops` gives them."""
-    given = [loop.vertices if isinstance(loop, Record) else loop for loop in loops]
+    """Converts loops: each is a list of vertices, or from :func:`boundary_loops`."""
+    given = [loop.vertices if isinstance(loop, LoopView) else loop for loop in loops]
     if any(np.ndim(loop) != 1 or np.size(loop) == 0 for loop in given):
         raise ValueError("a loop is a list of vertices")
     arrays = [indices_of(loop, "a loop's vertices") for loop in given]
-    # NULL would be all loops that there are.
+    # The array is never NULL, which would select all loops.
     return holding(ffi.new("struct gusset_indices[]", [indices_struct(array) for array in arrays] or 1), arrays)
 
 
-class Stitched(MeshResult):
-    """Two rims and what joins them."""
+class Stitch(Result[StitchReport]):
+    """A mesh of two rims and the strip between them."""
 
-    KIND = "stitch"
+    REPORT = StitchReport
 
     @cached_property
     def strip(self) -> Mesh:
-        """The strip alone."""
+        """The strip without the pieces."""
         return self._lent_mesh(lib.gusset_result_get_strip_mesh)
 
     @cached_property
-    def quality(self) -> Record:
-        """Measures of the strip and of the result."""
-        return filled(lib.gusset_result_get_quality, "gusset_quality_report", self._handle)
+    def quality(self) -> QualityReport:
+        """Quality of the strip and of the result."""
+        return QualityReport.read(self._handle)
 
 
 def stitch(
     a: MeshLike, b: Optional[MeshLike] = None, *, loop_a: Optional[ArrayLike] = None, loop_b: Optional[ArrayLike] = None, threads: int = 0,
     progress: Optional[Progress] = None, **options: Unpack[StitchOptions]
-) -> Stitched:
-    """Joins two boundary loops by a strip of faces, or by a blend that goes on both surfaces smoothly (``finish="blend"``).
+) -> Stitch:
+    """Joins two boundary loops by a strip of faces, or by a blend that continues both surfaces smoothly (``finish="blend"``).
 
     Args:
         a: the first mesh.
-        b: the second one, or None for two loops of the first.
-        loop_a: the vertices of the first loop; None: the only loop of ``a``, or the nearest ones.
-        loop_b: those of the second.
+        b: the second mesh, or None to join two loops of the first.
+        loop_a: vertices of the first loop; None: the only loop of ``a``, or the nearest pair.
+        loop_b: vertices of the second loop; None: as for ``loop_a``.
         threads, progress: as for :func:`boundary_loops`.
         options: see :class:`~gusset_mesh.StitchOptions`.
 
@@ -215,34 +216,33 @@ def stitch(
     of = [ffi.NULL if loop is None else _loops([loop]) for loop in (loop_a, loop_b)]
     meshes = of_one_precision([a] if b is None else [a, b])
     views = [view_of(mesh) for mesh in meshes]
-    return Stitched(result("stitch", views[0], of[0], views[1] if b is not None else ffi.NULL, of[1], structs("stitch_options", options),
+    return Stitch(result("stitch", views[0], of[0], views[1] if b is not None else ffi.NULL, of[1], structs("stitch_options", options),
                            threads=threads, progress=progress))
 
 
-class Filled(MeshResult):
-    """A mesh whose holes are filled."""
+class Fill(Result[FillReport]):
+    """A mesh with filled holes."""
 
-    KIND = "fill"
+    REPORT = FillReport
 
     @property
-    def holes(self) -> NDArray[Any]:
-        """An account of each loop that was looked at."""
-        found: NDArray[Any] = self.account.holes
-        return found
+    def holes(self) -> HoleArray:
+        """The outcome for each loop."""
+        return self.report.holes
 
     @cached_property
-    def quality(self) -> Record:
-        """Measures of the new faces and of the result."""
-        return filled(lib.gusset_result_get_quality, "gusset_quality_report", self._handle)
+    def quality(self) -> QualityReport:
+        """Quality of the new faces and of the result."""
+        return QualityReport.read(self._handle)
 
 
 def fill(
     mesh: MeshLike, loops: Optional[Iterable[Any]] = None, *, threads: int = 0, progress: Optional[Progress] = None,
     **options: Unpack[FillOptions]
-) -> Filled:
-    """Fills holes: all loops, or those given by their vertices.
+) -> Fill:
+    """Fills holes: all loops, or the given ones.
 
-    ``refine="rim_density", fairing="thin_plate"`` makes patches as fine as their rims that go on the surface round them.
+    ``refine="rim_density", fairing="thin_plate"`` makes patches as fine as their rims, which continue the surface around them.
 
     >>> cone = [[0, 0, 1], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]], [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]]
     >>> check(fill(cone).mesh).is_closed
@@ -250,54 +250,56 @@ def fill(
     """
     listed = None if loops is None else list(loops)
     given = _loops(listed) if listed is not None else ffi.NULL
-    return Filled(_result("fill", [as_mesh(mesh)], given, len(listed or ()), structs("fill_options", options, {"groups": len(listed or ())}),
+    return Fill(_result("fill", [as_mesh(mesh)], given, len(listed or ()), structs("fill_options", options, {"loop_count": len(listed or ())}),
                          threads=threads, progress=progress))
 
 
-class Joined(MeshResult):
-    """Many pieces in one mesh."""
+class Join(Result[JoinReport]):
+    """One mesh of several pieces."""
 
-    KIND = "join"
+    REPORT = JoinReport
 
     @property
-    def joints(self) -> list[Record]:
-        """The pairs of loops that face each other, and what became of them."""
-        found: list[Record] = self.account.joints
-        return found
+    def joints(self) -> list[Joint]:
+        """Pairs of loops that face each other, with the outcome for each."""
+        return self.report.joints
 
 
 def join(
     pieces: Sequence[MeshLike], *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[JoinOptions]
-) -> Joined:
-    """Joins many pieces: borders that lie together are welded, those that face each other joined by strips.
+) -> Join:
+    """Makes one mesh of pieces: sews coincident borders, and joins borders that face each other by strips.
 
-    ``fill=True`` fills what holes are left; ``overlaps="trim"`` keeps one of surfaces that lie on one another, as scans do.
+    ``fill=True`` fills the remaining holes. ``overlaps="trim"`` keeps one surface where pieces overlap, as scans do.
+
+    Args:
+        pieces: meshes: each a :class:`Mesh`, points and faces, or a mesh of another library.
+        threads, progress: as for :func:`boundary_loops`.
+        options: see :class:`~gusset_mesh.JoinOptions`.
 
     >>> left = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 0], [2, 1, 0]], [[0, 1, 4, 3], [1, 2, 5, 4]]
     >>> right = [[x + 2, y, z] for x, y, z in left[0]], left[1]
-    >>> join([left, right]).account.welded_vertices
+    >>> join([left, right]).report.welded_vertices
     2
     """
     given = of_one_precision(pieces)
-    return Joined(_result("join", given, len(given), structs("join_options", options), threads=threads, progress=progress))
+    return Join(_result("join", given, len(given), structs("join_options", options), threads=threads, progress=progress))
 
 
-class Aligned(Handle):
-    """Motions that bring pieces onto one another."""
+class Alignment(Reported[AlignmentView]):
+    """Rigid motions after which pieces fit together."""
 
-    KIND = "alignment"
+    REPORT = AlignmentView
 
     @cached_property
     def poses(self) -> NDArray[np.float64]:
-        """(pieces, 4, 4): what moves each piece, as a matrix that points are multiplied by from the left."""
-        made = np.zeros((self.account.piece_count, 4, 4))
-        for pose, piece in zip(made, self.account.pieces["pose"]["rows"]):
-            pose[:3] = piece.reshape(3, 4)
-            pose[3, 3] = 1
+        """(pieces, 4, 4): the motion of each piece, as a matrix that multiplies points from the left."""
+        made = np.zeros((len(self.report.pieces), 4, 4))
+        made[:, :3], made[:, 3, 3] = self.report.pieces.pose.rows, 1
         return made
 
     def moved(self, pieces: Sequence[MeshLike]) -> list[Mesh]:
-        """The pieces where they belong."""
+        """Moves the pieces to their poses."""
         out = []
         if len(pieces) != len(self.poses):
             raise ValueError(f"{len(pieces)} pieces for {len(self.poses)} poses")
@@ -306,41 +308,40 @@ class Aligned(Handle):
         return out
 
 
-def align(pieces: Sequence[MeshLike], *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[AlignOptions]) -> Aligned:
-    """Turns and shifts pieces so that their overlaps fit; the first one stays."""
+def align(pieces: Sequence[MeshLike], *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[AlignmentOptions]) -> Alignment:
+    """Finds the rigid motions after which the overlaps of pieces fit. The first piece stays."""
     given = of_one_precision(pieces)
-    return Aligned(_create("alignment", given, len(given), structs("alignment_options", options), threads=threads, progress=progress))
+    return Alignment(_create("alignment", given, len(given), structs("alignment_options", options), threads=threads, progress=progress))
 
 
-class Trimmed(Handle):
-    """Which faces of overlapping pieces stay."""
+class Trim(Reported[TrimView]):
+    """The faces of overlapping pieces that stay; see ``report``."""
 
-    KIND = "trim"
+    REPORT = TrimView
 
 
-def trim(pieces: Sequence[MeshLike], *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[TrimOptions]) -> Trimmed:
-    """Of surfaces that lie on one another one stays: which faces of each piece do is in ``account``."""
+def trim(pieces: Sequence[MeshLike], *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[TrimOptions]) -> Trim:
+    """Keeps one surface where pieces overlap. ``report`` has the faces of each piece that stay."""
     given = of_one_precision(pieces)
-    return Trimmed(_create("trim", given, len(given), structs("trim_options", options), threads=threads, progress=progress))
+    return Trim(_create("trim", given, len(given), structs("trim_options", options), threads=threads, progress=progress))
 
 
-class Developed(MeshResult):
-    """A surface laid out flat."""
+class Development(Result[DevelopReport]):
+    """A surface laid out in the plane."""
 
-    KIND = "develop"
+    REPORT = DevelopReport
 
     @property
     def points(self) -> NDArray[np.float64]:
-        """(n, 2): the vertices in the plane."""
-        found: NDArray[np.float64] = self.account.points
-        return found
+        """(n, 2): positions of the vertices in the plane."""
+        return self.report.points
 
 
-def develop(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[DevelopOptions]) -> Developed:
-    """Lays a surface out flat: cut along ``cuts``, unfolded where it can be, else with the least distortion.
+def develop(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[DevelopOptions]) -> Development:
+    """Lays a surface out in the plane, cut along ``cuts``: exactly where it unfolds, else with the least distortion.
 
     >>> roof = [[0, 0, 0], [0, 2, 0], [1, 0, 1], [1, 2, 1], [2, 0, 0], [2, 2, 0]], [[0, 2, 3, 1], [2, 4, 5, 3]]
-    >>> float(develop(roof).account.stretches.max().round(9))
+    >>> float(develop(roof).report.stretches.max().round(9))
     1.0
     """
-    return Developed(_result("develop", [as_mesh(mesh)], structs("develop_options", options), threads=threads, progress=progress))
+    return Development(_result("develop", [as_mesh(mesh)], structs("develop_options", options), threads=threads, progress=progress))

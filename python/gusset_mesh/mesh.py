@@ -1,4 +1,4 @@
-"""Polygon meshes: numpy arrays that the library reads where they are."""
+"""Polygon meshes as numpy arrays, which the library reads in place."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ __all__ = ["Mesh", "MeshLike", "as_mesh"]
 
 
 class Mesh:
-    """A polygon mesh: points, and faces that run through them.
+    """A polygon mesh: points and faces.
 
     Args:
-        points: (n, 3); arrays of 32- or 64-bit floats whose rows are packed are not copied.
-        faces: (m, k) for m faces of k corners, or a sequence of faces of any number of corners; whole numbers from 0.
-            Arrays of 32-bit whole numbers are not copied.
-        merge: for each vertex the one that it is one with, or None: vertices that are kept apart at seams.
+        points: (n, 3). Arrays of 32- or 64-bit floats with packed rows are not copied.
+        faces: (m, k) for m faces of k corners, or a sequence of faces of any number of corners; vertices count from 0.
+            Arrays of 32-bit integers are not copied.
+        merge: the representative of each vertex, for vertices that are separate at seams; or None.
 
     >>> quad = Mesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2, 3]])
     >>> quad.vertex_count, quad.face_count
@@ -34,11 +34,11 @@ class Mesh:
 
     #: (n, 3).
     points: NDArray[Any]
-    #: The vertex at each corner, face after face.
+    #: Vertex of each corner, face by face.
     corners: NDArray[np.uint32]
-    #: Where each face begins among the corners, and the end of the last; None if all have ``face_size`` corners.
+    #: First corner of each face, and the end of the last; None if every face has ``face_size`` corners.
     offsets: Optional[NDArray[np.uint32]]
-    #: The number of corners of all faces, or 0.
+    #: Number of corners of every face; 0 with ``offsets``.
     face_size: int
     merge: Optional[NDArray[np.uint32]]
 
@@ -64,15 +64,15 @@ class Mesh:
 
     @classmethod
     def from_polygons(cls, points: ArrayLike, offsets: ArrayLike, corners: ArrayLike, *, merge: Optional[ArrayLike] = None) -> Mesh:
-        """Of faces in a row: face f has the corners ``offsets[f]`` to ``offsets[f + 1] - 1``."""
+        """Makes a mesh of faces in one array: face f has the corners ``offsets[f]`` to ``offsets[f + 1] - 1``."""
         made = cls.__new__(cls)
         made.points = points_of(points)
-        # A copy: the library reads as many corners as the last one says, which nobody is to change meanwhile.
+        # The copy protects the last offset: the library reads that number of corners.
         made.offsets = indices_of(offsets, "offsets").reshape(-1).copy()
         made.corners = indices_of(corners, "corners").reshape(-1)
         made.face_size = 0
         if made.offsets.size == 0 or made.offsets[-1] != made.corners.size:
-            raise ValueError("the last of the offsets is not the number of corners")
+            raise ValueError("the last offset is not the number of corners")
         made._merged(merge)
         return made
 
@@ -102,7 +102,7 @@ class Mesh:
         return np.split(self.corners, self.offsets[1:-1]) if sizes.size else []
 
     def triangles(self) -> NDArray[np.uint32]:
-        """(m, 3): polygons are cut into triangles from their first corners."""
+        """(m, 3): the faces, with polygons cut into fans from their first corners."""
         if self.offsets is None and self.face_size == 3:
             return self.corners.reshape(-1, 3)
         offsets = self.offsets if self.offsets is not None else np.arange(self.face_count + 1, dtype=np.uint32) * self.face_size
@@ -113,7 +113,7 @@ class Mesh:
         return np.stack([self.corners[first], self.corners[first + place + 1], self.corners[first + place + 2]], axis=1)
 
     def with_points(self, points: ArrayLike) -> Mesh:
-        """The same faces through as many other points."""
+        """A mesh with the same faces and other points."""
         made = Mesh.__new__(Mesh)
         made.points = points_of(points)
         if len(made.points) != len(self.points):
@@ -126,10 +126,10 @@ class Mesh:
 
 
 def from_polydata(polydata: Any) -> Mesh:
-    """The polygons of a vtkPolyData, or of PyVista's; points are not copied.
+    """Makes a mesh of the polygons of a vtkPolyData, or of PyVista's PolyData. Points are not copied.
 
     Raises:
-        ValueError: it has triangle strips; ``triangulate()`` makes triangles of them.
+        ValueError: the data have triangle strips; ``triangulate()`` makes triangles of them.
     """
     points, offsets, corners = polygons_of(polydata)
     sizes = np.diff(offsets)
@@ -138,12 +138,12 @@ def from_polydata(polydata: Any) -> Mesh:
     return Mesh.from_polygons(points, offsets if offsets.size else np.zeros(1, np.uint32), corners)
 
 
-#: What is taken for a mesh: a :class:`Mesh`, points and faces, or a mesh of trimesh, PyVista, meshio, Open3D or OpenMesh.
+#: A :class:`Mesh`, points and faces, or a mesh of trimesh, PyVista, meshio, Open3D or OpenMesh.
 MeshLike = Union[Mesh, tuple[Any, Any], Any]
 
 
 def as_mesh(given: MeshLike) -> Mesh:
-    """A mesh of another library, or of points and faces, without a copy of what need not be copied.
+    """Converts a mesh of another library, or points and faces. Arrays are copied only if they must be.
 
     >>> as_mesh(([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
     <Mesh of 3 vertices and 1 faces>
@@ -165,28 +165,28 @@ def as_mesh(given: MeshLike) -> Mesh:
     if hasattr(given, "points") and hasattr(given, "cells"):  # meshio
         kept = [block.data for block in given.cells if block.type in ("triangle", "quad", "polygon")]
         return Mesh(given.points, kept[0] if len(kept) == 1 else [face for block in kept for face in block])
-    raise TypeError(f"{type(given).__name__} is no mesh: points and faces, or a mesh of trimesh, PyVista, meshio, Open3D or OpenMesh")
+    raise TypeError(f"{type(given).__name__} is not a mesh: pass points and faces, or a mesh of trimesh, PyVista, meshio, Open3D or OpenMesh")
 
 
 def _require(mesh: Mesh) -> None:
-    """What the constructors saw to: attributes may have been replaced since."""
+    """Checks the attributes again, which may have been replaced since the construction."""
     points, lists = mesh.points, [one for one in (mesh.corners, mesh.offsets, mesh.merge) if one is not None]
     if not isinstance(points, np.ndarray) or points.dtype not in SCALARS or points.ndim != 2 or points.shape[1] != 3:
-        raise ValueError("points are no array of floats of the shape (n, 3)")
+        raise ValueError("points are not an array of floats of the shape (n, 3)")
     if points.size and (points.strides[1] != points.itemsize or points.strides[0] < 3 * points.itemsize):
         raise ValueError("x, y and z of points are not together")
     if any(not isinstance(one, np.ndarray) or one.dtype != np.uint32 or one.ndim != 1 or not one.flags.c_contiguous for one in lists):
-        raise ValueError("corners, offsets and merge are no packed arrays of 32-bit whole numbers")
+        raise ValueError("corners, offsets and merge must be packed arrays of unsigned 32-bit integers")
     if mesh.offsets is not None and (mesh.offsets.size == 0 or mesh.offsets[-1] > mesh.corners.size):
-        raise ValueError("the last of the offsets is more than the number of corners")
+        raise ValueError("the last offset exceeds the number of corners")
     if mesh.merge is not None and len(mesh.merge) != len(points):
-        raise ValueError("merge has not a number for each vertex")
+        raise ValueError("merge must have one number for each vertex")
 
 
 def fill_view(view: Any, mesh: Mesh) -> None:
-    """Makes a gusset_mesh_view, or the same of a plugin, that of a mesh, which must stay alive."""
+    """Fills a gusset_mesh_view, or a gusset_plugin_mesh, from a mesh, which must stay alive."""
     _require(mesh)
-    # Arrays of none have addresses too: a mesh without faces is told from one without an array of them.
+    # Empty arrays have addresses too, because NULL would say that the array is missing.
     view.struct_size = ffi.sizeof(ffi.typeof(view).item if ffi.typeof(view).kind == "pointer" else ffi.typeof(view))
     view.positions = pointer(mesh.points)
     view.position_stride = mesh.points.strides[0] if mesh.points.size else 0
@@ -200,14 +200,14 @@ def fill_view(view: Any, mesh: Mesh) -> None:
 
 
 def view_of(mesh: Mesh) -> Any:
-    """A gusset_mesh_view of a mesh, which it keeps."""
+    """A gusset_mesh_view that keeps its mesh alive."""
     view = ffi.new("struct gusset_mesh_view *")
     fill_view(view, mesh)
     return holding(view, mesh)
 
 
 def of_one_precision(given: Iterable[MeshLike]) -> list[Mesh]:
-    """Meshes; if some have 64-bit points, 32-bit ones of others become such."""
+    """Converts meshes; if some have 64-bit points, all get 64-bit points."""
     meshes = [as_mesh(one) for one in given]
     wide = np.dtype(np.float64)
     if len({mesh.points.dtype for mesh in meshes}) > 1:
@@ -216,7 +216,7 @@ def of_one_precision(given: Iterable[MeshLike]) -> list[Mesh]:
 
 
 def views_of(meshes: Sequence[Mesh]) -> Any:
-    """The same of several in a row."""
+    """An array of gusset_mesh_view that keeps the meshes alive."""
     views = ffi.new("struct gusset_mesh_view[]", len(meshes))
     for k, mesh in enumerate(meshes):
         fill_view(ffi.addressof(views, k), mesh)
@@ -224,7 +224,7 @@ def views_of(meshes: Sequence[Mesh]) -> Any:
 
 
 def lent_mesh(view: Any, owner: object) -> Mesh:
-    """The mesh of a view that the library filled: its arrays are not copied and keep their owner."""
+    """A mesh of the arrays that the library lends in a view; they keep their owner alive."""
     made = Mesh.__new__(Mesh)
     dtype = np.float32 if view.scalar == F32 else np.float64
     made.points = lent(view.positions, (view.vertex_count, 3), dtype, owner)

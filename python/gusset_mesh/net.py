@@ -1,37 +1,35 @@
-"""Regular nets of quads: rows and columns of nodes, whose sides may be glued."""
+"""Regular nets of quads: rows and columns of nodes, with sides that may be glued."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import Any, Literal, Optional, Union
+from typing import Any, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import pointer
 from ._call import Progress, call
-from ._handles import Handle, MeshResult, create, result
+from ._handles import Handle, Result, create, result
 from ._keywords import options as structs
-from ._library import constants, ffi, lib, one_of
+from ._library import bits_of, ffi, lib, number_of, one_of
 from ._options import ConcatenateOptions, NetMeshOptions, Unpack
-from ._records import Record, filled, lent
+from ._records import lent
+from ._reports import NetMeasureReport, NetMeshReport
+from .choices import NUMBERS, Direction, Interpolation, Sides
+from .errors import error
 from .mesh import MeshLike, as_mesh, view_of
 
 __all__ = ["Net", "NetMesh"]
 
-_SIDES = constants("GUSSET_SIDES_")
 _FLIPS = {"right": lib.GUSSET_NET_TURN_FLIP_COLUMNS, "down": lib.GUSSET_NET_TURN_FLIP_ROWS}
-_BETWEEN = constants("GUSSET_INTERPOLATION_")
-
-#: What becomes of the sides of a net; several words for several.
-Sides = Literal["sheet", "tube", "torus", "two_poles", "one_pole", "rows_closed", "columns_closed", "pole_top", "pole_bottom", "pole_left", "pole_right"]
 
 
-class NetMesh(MeshResult):
-    """The faces of a net."""
+class NetMesh(Result[NetMeshReport]):
+    """The mesh of a net."""
 
-    KIND = "net_mesh"
+    REPORT = NetMeshReport
 
 
 class Net(Handle):
@@ -39,7 +37,7 @@ class Net(Handle):
 
     Args:
         nodes: (rows, columns, 3), 32- or 64-bit floats; NaN where a node is missing.
-        sides: what is glued, as ``"torus"`` or ``["rows_closed", "pole_top"]``.
+        sides: the sides that are glued, such as ``"torus"`` or ``["rows_closed", "pole_top"]``.
 
     >>> import numpy as np
     >>> u, v = np.meshgrid(np.linspace(0, 1, 5), np.linspace(0, 2, 9), indexing="ij")
@@ -48,15 +46,13 @@ class Net(Handle):
     (2.0, 32)
     """
 
-    KIND = "net"
-
     def __init__(self, nodes: ArrayLike, sides: Union[Sides, Sequence[Sides]] = "sheet"):
         array = np.asarray(nodes)
         if array.dtype not in (np.float32, np.float64):
             array = array.astype(np.float64)
         if array.ndim != 3 or array.shape[2] != 3:
             raise ValueError(f"nodes have the shape {array.shape}, not (rows, columns, 3)")
-        # Nodes that share memory are copied, and those that run backwards.
+        # Nodes that share memory or run backwards are copied.
         spans = sum((n - 1) * stride for n, stride in zip(array.shape, array.strides)) + array.itemsize
         if array.size and (min(array.strides) <= 0 or spans < array.nbytes):
             array = np.ascontiguousarray(array)
@@ -70,8 +66,7 @@ class Net(Handle):
         view.scalar = lib.GUSSET_F32 if array.dtype == np.float32 else lib.GUSSET_F64
         glued = ffi.new("struct gusset_net_gluing *")
         glued.struct_size = ffi.sizeof("struct gusset_net_gluing")
-        for word in [sides] if isinstance(sides, str) else sides:
-            glued.sides |= one_of(_SIDES, "sides", word)
+        glued.sides = bits_of(NUMBERS["gusset_sides"], "sides", sides)
         super().__init__(create("net", view, glued, lib.GUSSET_NET_MEMORY_COPY))
 
     @classmethod
@@ -81,7 +76,7 @@ class Net(Handle):
         return made
 
     def _copied(self, **fields: int) -> Net:
-        """A copy that is changed as fields of gusset_net_copy_options say."""
+        """A copy, changed by the fields of gusset_net_copy_options."""
         given = ffi.new("struct gusset_net_copy_options *", {"struct_size": ffi.sizeof("struct gusset_net_copy_options"), **fields})
         return self._of(create("net", self._handle, given, name="net_copy"))
 
@@ -90,7 +85,7 @@ class Net(Handle):
         cls, heights: ArrayLike, spacing: Sequence[float] = (1.0, 1.0), origin: Sequence[float] = (0.0, 0.0, 0.0),
         no_data: Optional[float] = None
     ) -> Net:
-        """A net over a grid of heights (rows, columns); NaN, or ``no_data``, is missing."""
+        """Makes a net of a grid of heights (rows, columns). NaN and ``no_data`` mark missing nodes."""
         array = np.asarray(heights)
         if array.dtype not in (np.float32, np.float64):
             array = array.astype(np.float64)
@@ -110,25 +105,30 @@ class Net(Handle):
 
     @classmethod
     def from_mesh(cls, mesh: MeshLike, face: int = 0) -> Net:
-        """The net that the quads of a mesh are, from a face on."""
+        """Makes a net of the quads of a mesh, starting from a face."""
         given = ffi.new("struct gusset_net_grid_options *")
         given.struct_size = ffi.sizeof("struct gusset_net_grid_options")
         given.has_face, given.face = 1, face
         return cls._of(create("net", view_of(as_mesh(mesh)), given, ffi.NULL, name="net_from_mesh"))
 
     @cached_property
-    def account(self) -> Record:
-        return filled(lib.gusset_net_get_view, "gusset_net_view", self._handle)
+    def _view(self) -> Any:
+        view = ffi.new("struct gusset_net_view *")
+        view.struct_size = ffi.sizeof("struct gusset_net_view")
+        status = lib.gusset_net_get_view(self._handle, view)
+        if status != 0:
+            raise error(status, "")
+        return view
 
     @property
     def shape(self) -> tuple[int, int]:
         """Rows and columns of nodes."""
-        return int(self.account.rows), int(self.account.columns)
+        return self._view.rows, self._view.columns
 
     @property
     def nodes(self) -> NDArray[Any]:
         """(rows, columns, 3): a copy of the nodes."""
-        view = self.account._struct
+        view = self._view
         dtype = np.dtype(np.float32 if view.scalar == lib.GUSSET_F32 else np.float64)
         rows, columns = self.shape
         across = view.column_stride or dtype.itemsize
@@ -140,38 +140,38 @@ class Net(Handle):
             out[..., k] = np.lib.stride_tricks.as_strided(flat, (rows, columns), (down, across), writeable=False)
         return out
 
-    def measure(self) -> Record:
-        """Its area, volume, area vector and box."""
-        made = ffi.new("struct gusset_net_measure_report *")
-        made.struct_size = ffi.sizeof("struct gusset_net_measure_report")
-        call(lib.gusset_net_measure, self._handle, lib.GUSSET_NET_MEASURES_EXTENT, made)
-        return Record(made[0], made)
+    def measure(self) -> NetMeasureReport:
+        """Measures area, volume, area vector and bounding box."""
+        made = NetMeasureReport.new()
+        call(lib.gusset_net_measure, self._handle, lib.GUSSET_NET_MEASURES_EXTENT, made._struct)
+        return made
 
     def mesh(self, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[NetMeshOptions]) -> NetMesh:
-        """Its faces, as quads or triangles, nodes that are glued as one vertex."""
+        """Makes a mesh of quads or triangles. Glued nodes become one vertex."""
         return NetMesh(result("net_to_mesh", self._handle, structs("net_mesh_options", options), threads=threads, progress=progress))
 
-    def resampled(self, rows: int, columns: int, interpolation: Literal["bicubic", "bilinear"] = "bicubic") -> Net:
-        """The same shape with other numbers of rows and columns."""
-        return self._of(create("net", self._handle, rows, columns, one_of(_BETWEEN, "interpolation", interpolation), name="net_resample"))
+    def resampled(self, rows: int, columns: int, interpolation: Interpolation = "bicubic") -> Net:
+        """Interpolates the net with other numbers of rows and columns."""
+        between = number_of("gusset_interpolation", "interpolation", interpolation)
+        return self._of(create("net", self._handle, rows, columns, between, name="net_resample"))
 
     def transposed(self) -> Net:
-        """Rows as columns."""
+        """Exchanges rows and columns."""
         return self._copied(turn=lib.GUSSET_NET_TURN_TRANSPOSE)
 
-    def flipped(self, direction: Literal["right", "down"] = "right") -> Net:
-        """Columns, or rows, in the reverse order."""
+    def flipped(self, direction: Direction = "right") -> Net:
+        """Reverses the order of columns or rows."""
         return self._copied(turn=one_of(_FLIPS, "direction", direction))
 
     def displaced(self, distance: float) -> Net:
-        """A copy, moved along its normals."""
+        """Moves a copy along the normals."""
         copy = self._copied()
         call(lib.gusset_net_displace, copy._handle, float(distance))
         return copy
 
     @classmethod
     def concatenate(cls, nets: Sequence[Net], **options: Unpack[ConcatenateOptions]) -> Net:
-        """Nets beside one another, with bridges between them."""
+        """Places nets beside each other, with bridges between them."""
         handles = ffi.new("struct gusset_net *[]", [net._handle for net in nets])
         return cls._of(create("net", handles, len(nets), structs("concatenate_options", options), name="net_concatenate"))
 

@@ -1,132 +1,124 @@
-"""Smooth curves through given points, by the methods of the bisector, median, normal, tangent and more."""
+"""Smooth curves through given points, and operations on curves."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cached_property
-from typing import Any, Literal, Optional
+from typing import Any, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import indices_of, pointer
 from ._call import Progress, call
-from ._handles import Handle, create
+from ._handles import Reported, create
 from ._keywords import options as structs
-from ._library import constants, ffi, holding, lib, one_of
+from ._library import bits_of, ffi, holding, lib, number_of
 from ._options import OffsetOptions, OutlineOptions, Unpack
-from ._records import Record, dtype_of, filled
+from ._reports import CurveFormView, CurveMeasures, CurveNearestPointArray, CurveView, OutlineView, PlacesView
+from .choices import NUMBERS, CurveMeasureFlags, SampleRule
 
 __all__ = ["Curve", "Outline", "Places"]
 
-_RULES = constants("GUSSET_SAMPLE_")
-_PLACE = dtype_of(ffi.typeof("struct gusset_place"))
-_NEAREST = dtype_of(ffi.typeof("struct gusset_curve_nearest_point"))
-
 
 def _in_space(points: ArrayLike) -> NDArray[np.float64]:
-    """Points (n, 3); of (n, 2) z is 0."""
+    """Points as (n, 3); points (n, 2) get z = 0."""
     array = np.asarray(points, np.float64)
     if array.ndim != 2 or array.shape[1] not in (2, 3):
         raise ValueError(f"points have the shape {array.shape}, not (n, 2) or (n, 3)")
     return np.ascontiguousarray(array if array.shape[1] == 3 else np.pad(array, ((0, 0), (0, 1))))
 
 
-class Places(Handle):
-    """Places on a curve; ``points`` is (n, 3)."""
+class Places(Reported[PlacesView]):
+    """Places on a curve."""
 
-    KIND = "places"
+    REPORT = PlacesView
 
     @property
     def points(self) -> NDArray[np.float64]:
-        found: NDArray[np.float64] = self.account.points
-        return found
+        """(n, 3): the points at the places."""
+        return self.report.points
 
     def __len__(self) -> int:
-        return int(self.account.count)
+        return len(self.report.places)
 
 
-class Curve(Handle):
+class Curve(Reported[CurveView]):
     """A curve of Bezier segments in the plane or in space."""
 
-    KIND = "curve"
+    REPORT = CurveView
 
     @classmethod
     def through(cls, points: ArrayLike, *, closed: bool = False) -> Curve:
-        """The curve that a surface would have through nodes: (n, 3)."""
+        """Makes the curve that a surface has through these nodes (n, 3)."""
         nodes = _in_space(points)
         at = holding(ffi.cast("double *", pointer(nodes)), nodes)
         return cls(create("curve", at, len(nodes), int(closed), 0, name="curve_through"))
 
     @property
     def controls(self) -> NDArray[np.float64]:
-        """(n, 3): the control points, segment after segment."""
-        found: NDArray[np.float64] = self.account.controls
-        return found
+        """(n, 3): control points, segment by segment."""
+        return self.report.controls
 
     @property
     def ends(self) -> NDArray[np.uint32]:
         """Segment k has the control points ``ends[k]`` to ``ends[k + 1]``."""
-        found: NDArray[np.uint32] = self.account.ends
-        return found
+        return self.report.ends
 
     @property
     def is_closed(self) -> bool:
-        return bool(self.account.closed)
+        return self.report.closed
 
-    def measure(self, flags: int = 0) -> Record:
-        """Its length, box, centre, area, and in the plane moments; ``flags`` asks for some of them, 0 for all."""
-        made = ffi.new("struct gusset_curve_measures *")
-        made.struct_size = ffi.sizeof("struct gusset_curve_measures")
-        call(lib.gusset_curve_measure, self._handle, flags, made)
-        return Record(made[0], made)
+    def measure(self, flags: Union[CurveMeasureFlags, Iterable[CurveMeasureFlags]] = ()) -> CurveMeasures:
+        """Measures length, bounding box, centre, area, and in the plane moments; ``flags`` selects some of them."""
+        made = CurveMeasures.new()
+        call(lib.gusset_curve_measure, self._handle, bits_of(NUMBERS["gusset_curve_measure_flags"], "flags", flags), made._struct)
+        return made
 
     @cached_property
     def length(self) -> float:
-        return float(self.measure(lib.GUSSET_CURVE_MEASURE_LENGTH).length)
+        return self.measure("length").length
 
     @cached_property
     def area_vector(self) -> NDArray[np.float64]:
-        """Half the integral of p x dp: a plane closed curve has its area along the normal."""
-        found: NDArray[np.float64] = self.measure(lib.GUSSET_CURVE_MEASURE_AREA).area_vector
-        return found
+        """Half the integral of p x dp: for a closed plane curve its area times the normal."""
+        return self.measure("area").area_vector
 
-    def sample(self, amount: float, rule: Literal["count", "step", "chord"] = "count") -> Places:
-        """Points: so many at equal arc lengths, one every so much of it, or so that chords are nowhere farther off."""
-        return Places(create("places", self._handle, one_of(_RULES, "rule", rule), float(amount), name="curve_sample"))
+    def sample(self, amount: float, rule: SampleRule = "count") -> Places:
+        """Samples points: ``amount`` points at equal arc lengths, steps of this length, or chords within this distance."""
+        return Places(create("places", self._handle, number_of("gusset_sample_rule", "rule", rule), float(amount), name="curve_sample"))
 
-    def nearest(self, points: ArrayLike) -> NDArray[Any]:
-        """Of each of (n, 3) points the nearest one of the curve: records of ``place``, ``point`` and ``distance``."""
+    def nearest(self, points: ArrayLike) -> CurveNearestPointArray:
+        """Finds the nearest point of the curve for each of (n, 3) points."""
         queries = _in_space(points)
-        out = np.zeros(len(queries), _NEAREST)
-        call(lib.gusset_curve_nearest, self._handle, ffi.cast("double *", pointer(queries)), len(queries),
-             ffi.cast("struct gusset_curve_nearest_point *", pointer(out)))
+        out = CurveNearestPointArray.zeros(len(queries))
+        call(lib.gusset_curve_nearest, self._handle, ffi.cast("double *", pointer(queries)), len(queries), out.pointer())
         return out
 
     def intersect(self, other: Curve, within: float = 0.0) -> Places:
-        """The places where two curves meet, or come as near to each other as ``within``."""
+        """Finds the places where two curves meet, or are within a distance of each other."""
         return Places(create("places", self._handle, other._handle, float(within), name="curve_intersect"))
 
     def offset(self, distance: float, **options: Unpack[OffsetOptions]) -> Curve:
-        """The curve at a distance to the left."""
+        """Makes the curve at a distance to the left."""
         given: dict[str, Any] = {"tolerance": 1e-6 * float(np.ptp(self.controls, axis=0).max() or 1), **options}
         return Curve(create("curve", self._handle, float(distance), structs("offset_options", given), ffi.NULL, name="curve_offset"))
 
     def svg(self) -> str:
-        """The path of SVG that it is."""
+        """The curve as the data of an SVG path."""
         form = create("curve_form", self._handle, lib.GUSSET_CURVE_FORMAT_SVG, 0.0, name="curve_export")
-        return str(filled(lib.gusset_curve_form_get_view, "gusset_curve_form_view", form).text)
+        return CurveFormView.read(form).text
 
 
-class Outline(Handle):
+class Outline(Reported[OutlineView]):
     """A smooth curve through points.
 
     Args:
         points: (n, 2) or (n, 3).
-        closed: whether the curve goes on from the last point to the first.
-        tangents: directions that it has to pass points in, by their numbers.
-        corners: numbers of points at which it may turn sharply.
-        options: see :class:`~gusset_mesh.OutlineOptions`, as ``method="median"``.
+        closed: whether the curve continues from the last point to the first.
+        tangents: directions of the curve at points, by index.
+        corners: indices of points where the curve may have a corner.
+        options: see :class:`~gusset_mesh.OutlineOptions`; for example ``method="median"``.
 
     >>> import numpy as np
     >>> angle = np.linspace(0, 2 * np.pi, 24, endpoint=False)
@@ -135,7 +127,7 @@ class Outline(Handle):
     6.283
     """
 
-    KIND = "outline"
+    REPORT = OutlineView
 
     def __init__(
         self, points: ArrayLike, closed: bool = False, *, tangents: Optional[Mapping[int, ArrayLike]] = None,
@@ -173,7 +165,6 @@ class Outline(Handle):
         return Curve(create("curve", self._handle, 0, name="outline_curve"))
 
     @property
-    def statuses(self) -> NDArray[np.uint8]:
-        """Of each point what became of it: ``GUSSET_POINT_...``, 0 as asked."""
-        found: NDArray[np.uint8] = self.account.statuses
-        return found
+    def statuses(self) -> NDArray[np.str_]:
+        """The outcome at each point: ``"ok"``, or the reason why the curve differs from the request."""
+        return self.report.statuses

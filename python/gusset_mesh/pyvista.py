@@ -91,7 +91,7 @@ class GussetAccessor:
         """Turns faces to run the same way: see :func:`gusset_mesh.orient`."""
         return self._one(joining.orient, **options)
 
-    def check(self) -> joining.Checked:
+    def check(self) -> joining.Check:
         """What it is: see :func:`gusset_mesh.check`."""
         return joining.check(from_polydata(self._polydata(self._dataset)))
 

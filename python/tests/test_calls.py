@@ -49,7 +49,7 @@ def test_progress_rises_and_may_cancel():
 
 def test_calls_within_callbacks():
     inner = []
-    gm.fill(big(60), progress=lambda part, what: inner.append(gm.check(shapes.cap()).account.euler))
+    gm.fill(big(60), progress=lambda part, what: inner.append(gm.check(shapes.cap()).report.euler))
     assert set(inner) == {1}
 
 

@@ -38,8 +38,8 @@ def cluster():
 
 
 def test_models_are_closed_and_different(alone):
-    assert all(account["closed"] and account["pieces"] == 4 for account in alone)
-    assert len({account["digest"] for account in alone}) == JOBS
+    assert all(summary["closed"] and summary["pieces"] == 4 for summary in alone)
+    assert len({summary["digest"] for summary in alone}) == JOBS
 
 
 def test_two_processes_give_the_same_bytes(alone, cluster):

@@ -47,7 +47,7 @@ def test_meshes_are_looked_at_again():
     offsets = np.arange(len(faces) + 1, dtype=np.uint32) * 3
     mesh = gm.Mesh.from_polygons(points, offsets, faces.reshape(-1))
     offsets[-1] += 3
-    assert gm.check(mesh).account.face_count == len(faces)
+    assert gm.check(mesh).report.face_count == len(faces)
     with pytest.raises(ValueError):
         gm.Mesh.from_polygons(points, [0, 3], [0, 1, 2, 3])
     curves = gm.Curves(points, [0, 3, 6])
@@ -83,7 +83,7 @@ time.sleep(0.4)
 
 def test_filters_travel_and_results_say_that_they_do_not():
     assert pickle.loads(pickle.dumps(gm.filters.fill_holes)) is gm.filters.fill_holes
-    for one in (gm.weld(TUBE), gm.weld(TUBE).account):
+    for one in (gm.weld(TUBE), gm.weld(TUBE).report):
         with pytest.raises(TypeError, match="stays in its process"):
             copy.deepcopy(one)
 
@@ -91,7 +91,7 @@ def test_filters_travel_and_results_say_that_they_do_not():
 def test_points_of_the_plane():
     angle = np.linspace(0, 3, 12)
     plane = np.stack([np.cos(angle), np.sin(angle)], axis=1)
-    assert np.allclose(gm.Outline(plane).curve.nearest(plane)["distance"], 0, atol=1e-12)
+    assert np.allclose(gm.Outline(plane).curve.nearest(plane).distance, 0, atol=1e-12)
     with pytest.raises(ValueError):
         gm.Outline(plane).curve.nearest(angle)
     with pytest.raises(ValueError):
@@ -111,7 +111,7 @@ def test_wide_numbers_are_carried_bit_for_bit(value):
 
 def test_a_mode_comes_with_its_number():
     surface = gm.Surface(shapes.grid(16, 16, lambda u, v: np.sin(3 * u) * np.cos(2 * v), (3.0, 3.0)))
-    counts = [len(surface.section([0, 0, 0.2], [0, 0, 1], **how).account.points) for how in ({}, {"chord": 1e-7})]
+    counts = [len(surface.section([0, 0, 0.2], [0, 0, 1], **how).report.points) for how in ({}, {"chord": 1e-7})]
     assert counts[1] > 5 * counts[0]
 
 
@@ -140,15 +140,15 @@ def test_grids_with_any_strides():
     assert np.array_equal(gm.Net(np.broadcast_to(nodes[:1], (4, 9, 3))).nodes, np.broadcast_to(nodes[:1], (4, 9, 3)))
 
 
-def test_every_account_can_be_read():
+def test_every_report_can_be_read():
     net = gm.Net(shapes.grid(6, 9))
     made = [gm.stitch(shapes.cap(), shapes.cap(-1)), gm.fill(TUBE), gm.weld(TUBE), gm.sew(TUBE), gm.orient(TUBE), gm.check(TUBE),
-            gm.join([TUBE]), gm.develop(TUBE), gm.align([TUBE, TUBE]), gm.trim([TUBE, TUBE]), net, net.mesh(texture=True), gm.Sheet(net.nodes),
+            gm.join([TUBE]), gm.develop(TUBE), gm.align([TUBE, TUBE]), gm.trim([TUBE, TUBE]), net.mesh(texture=True), gm.Sheet(net.nodes),
             gm.Surface(net.nodes), gm.Sheet(net.nodes).mesh(), gm.Surface(net.nodes).section([0, 0, 0], [1, 0, 0.1]),
             gm.Outline([[0, 0], [1, 1], [2, 0]]), gm.Outline([[0, 0], [1, 1], [2, 0]]).curve]
     for one in made:
-        assert repr(one.account).startswith("Record(")
-    assert net.mesh(texture=True).account.texture_coordinates.shape[1] == 2
+        assert repr(one.report).startswith(f"{type(one).REPORT.__name__}(")
+    assert net.mesh(texture=True).report.texture_coordinates.shape[1] == 2
 
 
 def test_pyvista_datasets():

@@ -33,7 +33,7 @@ def test_rows_of_wider_arrays_are_read_where_they_are():
     wide[:, :3] = points
     mesh = gm.Mesh(wide[:, :3], faces)
     assert np.shares_memory(mesh.points, wide)
-    assert gm.check(mesh).account.euler == gm.check((points, faces)).account.euler == 1
+    assert gm.check(mesh).report.euler == gm.check((points, faces)).report.euler == 1
     every = gm.Mesh(np.repeat(points, 2, axis=0)[::2], faces)
     assert len(gm.boundary_loops(every)) == 1
     # What cannot be read in place is copied, and gives the same.
@@ -102,7 +102,7 @@ def test_other_libraries_meshes():
     block.type, block.data = "triangle", ball.faces
     meshio.points, meshio.cells = ball.vertices, [block]
     for other in (open3d, meshio, (ball.vertices, ball.faces)):
-        assert gm.check(other).account.face_count == len(ball.faces)
+        assert gm.check(other).report.face_count == len(ball.faces)
     with pytest.raises(TypeError):
         gm.check(42)
 

@@ -4,6 +4,7 @@ from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import NDArray
+from typing_extensions import assert_type
 
 import gusset_mesh as gm
 
@@ -16,6 +17,28 @@ values: NDArray[Any] = made.carry([points, points], "vertices", "normal")
 whole: gm.Mesh = gm.join([mesh, joined], fill=True, weld_options={"tolerance": 0.1}).mesh
 curve: gm.Curve = gm.Outline([[0, 0], [1, 1]], method="median").curve
 surface = gm.Surface(gm.Sheet(np.zeros((4, 4, 3))))
-paths: gm.Paths = surface.section([0, 0, 0], [0, 0, 1], spacing="chord", chord=0.1)
+paths: gm.SurfacePaths = surface.section([0, 0, 0], [0, 0, 1], spacing="chord", chord=0.1)
 net: Optional[gm.Net] = gm.Net(np.zeros((2, 2, 3)), sides=["rows_closed", "pole_top"])
 report = gm.filters.all_filters["check"](mesh)
+
+
+def reports() -> None:
+    """The fields of reports have their types."""
+    filled = gm.fill(mesh)
+    assert_type(filled.report, gm.FillReport)
+    assert_type(filled.report.weights, NDArray[np.float64])
+    assert_type(filled.report.intersections_known, bool)
+    assert_type(filled.report.holes, gm.HoleArray)
+    assert_type(filled.holes.status, NDArray[np.str_])
+    assert_type(filled.holes[0], gm.Hole)
+    assert_type(filled.holes[0].status, gm.choices.HoleStatus)
+    assert_type(filled.holes[filled.holes.length > 1].length, NDArray[np.float64])
+    assert_type(made.report.vertex_map, tuple[NDArray[np.uint32], NDArray[np.uint32]])
+    assert_type(gm.join([mesh]).joints[0].side[1], NDArray[np.uint32])
+    assert_type([loop.edge_flags["reversed"] for loop in loops], list[NDArray[np.bool_]])
+    assert_type(surface.nearest(points).place.u, NDArray[np.float64])
+    assert_type("closed" in gm.check(mesh).report.properties, bool)
+    # What is not there is a mistake, and so is a word that a choice does not have.
+    filled.report.wholes  # type: ignore[attr-defined]
+    surface.nearest(points).flags["certain"]  # type: ignore[index]
+    filled.holes[0].status == "full"  # type: ignore[comparison-overlap]

@@ -7,6 +7,7 @@ use glam::{DAffine3, DVec3};
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_transform {
     /// x' = rows[0] x + rows[1] y + rows[2] z + rows[3]; then y', then z'.
+    /// @shape 3 4
     pub rows: [f64; 12],
 }
 

@@ -1,5 +1,6 @@
 //! The comments of the C interface: each says what a reader of a function needs, and each function has an example.
 
+use gusset_interface::comment::size_field;
 use gusset_interface::doxygen::{self, Reference};
 use gusset_interface::source::{Kind, Source};
 use std::collections::BTreeSet;
@@ -80,6 +81,47 @@ fn every_name_in_a_comment_or_an_example_exists() {
     let unknown = examples.iter().filter(|(name, _)| !known(name));
     wrong.extend(unknown.map(|(name, (file, _))| format!("{file}: {name}")));
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Programs take the sizes of arrays from tags.
+#[test]
+fn every_array_that_a_function_lends_or_options_hold_has_a_shape() {
+    let sources = sources();
+    let items = || sources.iter().flat_map(|source| &source.items);
+    let kind = |name: &str| items().find(|item| item.name == name).map(|item| &item.kind);
+    let params =
+        || items().filter_map(|item| if let Kind::Function(params, _) = &item.kind { Some(params) } else { None });
+    let (mut wrong, mut shaped) = (Vec::new(), 0);
+    for item in items() {
+        let Kind::Struct(fields) = &item.kind else { continue };
+        let is_filled = params().flatten().any(|param| param.kind.name == item.name && param.kind.pointers == [false]);
+        let taking = params().filter(|params| params.iter().any(|param| param.kind.name == item.name)).flatten();
+        let known: BTreeSet<&str> = fields.iter().chain(taking).map(|field| field.name.as_str()).collect();
+        for field in fields {
+            let name = field.kind.name.as_str();
+            let is_array = field.kind.pointers == [true]
+                && !["void", "char"].contains(&name)
+                && !name.ends_with("_options")
+                && !matches!(kind(name), Some(Kind::Handle));
+            let shape = field.comment.tag("shape");
+            shaped += usize::from(shape.is_some());
+            if shape.is_none() && is_array && (is_filled || item.name.ends_with("_options")) {
+                wrong.push(format!("{}.{}: @shape", item.name, field.name));
+            }
+            let sizes =
+                shape.into_iter().flat_map(|shape| shape.split(' ')).filter_map(|size| size_field(size).unwrap());
+            wrong.extend(
+                sizes.filter(|size| !known.contains(size)).map(|size| format!("{}.{}: {size}", item.name, field.name)),
+            );
+            if let Some(choice) =
+                field.comment.tag("choice").filter(|choice| !matches!(kind(choice), Some(Kind::Choice(_))))
+            {
+                wrong.push(format!("{}.{}: {choice}", item.name, field.name));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(shaped > 80, "{shaped}");
 }
 
 /// What is exported and no part of the library's headers is shown in a guide.

@@ -35,9 +35,11 @@ pub struct gusset_offset_report {
     /// Corners of the original, bridged by straight segments.
     pub corners: usize,
     /// 1: the deviation is within the tolerance.
+    /// @flag
     pub reached: u32,
     /// 1: a radius of curvature is at most the distance; the offset has cusps or runs backwards
     /// there.
+    /// @flag
     pub tight: u32,
 }
 

@@ -47,12 +47,16 @@ pub struct gusset_curve_form_view {
     /// Length without the final 0.
     pub text_length: usize,
     /// x, y, z of contour points or control points of a spline.
+    /// @shape point_count 3
     pub points: *const f64,
     /// Number of points.
     pub point_count: usize,
     /// Contour: 1 for a point on the curve, 0 for a point off it.
+    /// @shape point_count
+    /// @flag
     pub on_curve: *const u8,
     /// Spline: point_count + degree + 1 knots.
+    /// @shape knot_count
     pub knots: *const f64,
     /// Number of knots.
     pub knot_count: usize,

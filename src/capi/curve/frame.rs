@@ -88,7 +88,7 @@ pub struct gusset_frame_options {
     /// ANGLE, bent axis: a point for each section, x, y, z, in place of axis_point and
     /// axis_direction. The axis follows circles through three consecutive points; the reference
     /// does not rotate about it. NULL: straight.
-    /// @points
+    /// @shape axis_point_count 3
     pub axis_points: *const f64,
     /// Number of sections.
     pub axis_point_count: usize,
@@ -115,16 +115,21 @@ pub struct gusset_frame_view {
     /// Number of nodes in a section.
     pub columns: usize,
     /// x, y, z of each node.
+    /// @shape rows columns 3
     pub nodes: *const f64,
     /// Unit tangent of the curve across at each node, x, y, z; 0 if undefined.
+    /// @shape rows columns 3
     pub across: *const f64,
     /// Unit tangents of the curves along.
+    /// @shape rows columns 3
     pub along: *const f64,
     /// One curve for each section, owned by the frame. Node i of row k is its point k columns + i.
     pub curves_across: *const gusset_outline,
     /// One curve for each column, owned by the frame. Node i of row k is its point i rows + k.
     pub curves_along: *const gusset_outline,
     /// By section: 1 if it was reversed.
+    /// @shape rows
+    /// @flag
     pub turned: *const u8,
     /// Nodes whose half-plane meets their section several times.
     pub ambiguous: gusset_indices,

@@ -34,21 +34,26 @@ pub struct gusset_places_view {
     /// sizeof(gusset_places_view).
     pub struct_size: usize,
     /// The places, ordered along the first curve.
+    /// @shape count
     pub places: *const gusset_place,
     /// Number of places.
     pub count: usize,
     /// x, y, z at each place.
+    /// @shape count 3
     pub points: *const f64,
     /// Intersections: places on the second curve, or later places on the same curve. Else NULL.
+    /// @shape count
     pub others: *const gusset_place,
     /// Common parts, four places each: start and end on the first curve, the same on the second.
     /// For tangent angles: start and end, twice.
+    /// @shape overlap_count 4
     pub overlaps: *const gusset_place,
     /// Number of overlaps.
     pub overlap_count: usize,
     /// Segments that lie entirely in the plane or line.
     pub inside: gusset_indices,
     /// 1: a pair of segments was not resolved, because they agree within rounding over a long part.
+    /// @flag
     pub undecided: u32,
     /// 0.
     pub reserved: u32,

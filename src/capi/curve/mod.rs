@@ -47,6 +47,7 @@ pub struct gusset_curve_view {
     /// sizeof(gusset_curve_view).
     pub struct_size: usize,
     /// x, y, z of control points; z is 0 for a plane curve.
+    /// @shape control_count 3
     pub controls: *const f64,
     /// Number of control points.
     pub control_count: usize,
@@ -54,6 +55,7 @@ pub struct gusset_curve_view {
     /// ends[k] to ends[k + 1].
     pub ends: gusset_indices,
     /// 1: the curve is closed.
+    /// @flag
     pub closed: u32,
     /// 0.
     pub reserved: u32,

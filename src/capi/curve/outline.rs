@@ -94,18 +94,23 @@ pub struct gusset_outline_view {
     /// Points of all outlines.
     pub point_count: usize,
     /// x, y, z of each control point; z = 0 for plane outlines.
+    /// @shape control_count 3
     pub controls: *const f64,
     /// Number of control points.
     pub control_count: usize,
     /// Ends of segments.
     pub ends: gusset_indices,
     /// 2 outline_count + 2 offsets.
+    /// @shape outline_count+1 2
     pub starts: *const usize,
     /// Segment of each point, in its curve.
     pub segments: gusset_indices,
     /// Parameter of each point in its segment, 0 to 1.
+    /// @shape point_count
     pub parameters: *const f64,
     /// gusset_point_status of each point.
+    /// @shape point_count
+    /// @choice gusset_point_status
     pub statuses: *const u8,
 }
 

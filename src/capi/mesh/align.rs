@@ -59,6 +59,7 @@ pub struct gusset_alignment_options {
     pub samples: u32,
     /// Rigid motions of the pieces, or NULL.
     /// @when start GUSSET_ALIGN_AS_GIVEN
+    /// @shape pose_count
     pub poses: *const gusset_transform,
     /// Number of pieces, or 0.
     pub pose_count: usize,
@@ -104,6 +105,7 @@ pub struct gusset_overlap {
     /// Points on the other piece.
     pub count: u32,
     /// 1 if count is at least 30 and fit at least 2/3, else 0.
+    /// @flag
     pub trusted: u32,
 }
 
@@ -114,16 +116,19 @@ pub struct gusset_alignment_view {
     /// sizeof(gusset_alignment_view).
     pub struct_size: usize,
     /// Pieces in order.
+    /// @shape piece_count
     pub pieces: *const gusset_aligned_piece,
     /// Number of pieces.
     pub piece_count: usize,
     /// Pairs of overlapping pieces.
+    /// @shape overlap_count
     pub overlaps: *const gusset_overlap,
     /// Number of overlaps.
     pub overlap_count: usize,
     /// Rounds done.
     pub rounds: u32,
     /// 1 if the pieces stopped moving, 0 if the rounds ran out.
+    /// @flag
     pub converged: u32,
 }
 

@@ -49,12 +49,15 @@ pub const GUSSET_LOOP_NOT_ORIENTED: gusset_loop_flags = 16;
 /// The loop has an edge of length 0.
 pub const GUSSET_LOOP_ZERO_LENGTH: gusset_loop_flags = 32;
 
+/// Properties of an edge of a loop.
+/// @bits
+pub type gusset_edge_flags = u8;
 /// The loop runs this edge against its face.
-pub const GUSSET_EDGE_REVERSED: u8 = 1;
+pub const GUSSET_EDGE_REVERSED: gusset_edge_flags = 1;
 /// The edge has three or more faces.
-pub const GUSSET_EDGE_NON_MANIFOLD: u8 = 2;
+pub const GUSSET_EDGE_NON_MANIFOLD: gusset_edge_flags = 2;
 /// The edge has length 0.
-pub const GUSSET_EDGE_ZERO_LENGTH: u8 = 4;
+pub const GUSSET_EDGE_ZERO_LENGTH: gusset_edge_flags = 4;
 
 const _: () = assert!(
     GUSSET_LOOP_OPEN == LoopFlags::OPEN
@@ -114,8 +117,9 @@ pub struct gusset_loop_view {
     pub half_edges: gusset_indices,
     /// Face beside each edge.
     pub faces: gusset_indices,
-    /// GUSSET_EDGE_... bits of each edge.
-    pub edge_flags: *const u8,
+    /// Properties of each edge.
+    /// @shape half_edges
+    pub edge_flags: *const gusset_edge_flags,
     /// Sum of the edge lengths.
     pub length: f64,
     /// Properties of the loop; 0 if ordinary and closed.
@@ -151,6 +155,7 @@ pub struct gusset_boundary_view {
     pub walk_count: usize,
     /// Degenerate faces, orientation conflicts and non-manifold edges of the mesh, and bow-ties on
     /// its boundary.
+    /// @shape defect_count
     pub defects: *const gusset_defect,
     /// Number of defects.
     pub defect_count: usize,

@@ -104,9 +104,9 @@ pub unsafe extern "C" fn gusset_check_destroy(check: *mut gusset_check) {
 #[must_use]
 pub unsafe extern "C" fn gusset_check_get_view(
     check: *const gusset_check,
-    report: *mut gusset_check_view,
+    view: *mut gusset_check_view,
 ) -> gusset_status {
-    lend!(check, report, |gusset_check(c)| {
+    lend!(check, view, |gusset_check(c)| {
         let bit = |set, bit| if set { bit } else { 0 };
         gusset_check_view {
             struct_size: size_of::<gusset_check_view>(),

@@ -77,20 +77,25 @@ pub struct gusset_develop_report {
     /// sizeof(gusset_develop_report).
     pub struct_size: usize,
     /// x, y of each vertex in the plane, always in double precision.
+    /// @shape vertex_map 2
     pub points: *const f64,
     /// Vertex of the surface for each vertex. Vertices on cuts repeat.
     pub vertex_map: gusset_indices,
     /// Chart of each face.
     pub face_charts: gusset_indices,
     /// Largest and smallest factor by which lengths grow, two numbers for each face.
+    /// @shape face_charts 2
     pub stretches: *const f64,
     /// Charts in the order of their first faces, side by side along x.
+    /// @shape chart_count
     pub charts: *const gusset_chart,
     /// Number of charts.
     pub chart_count: usize,
     /// Cut edges of the surface, two vertices each: first given, then opening, then dart cuts.
+    /// @shape * 2
     pub cut_edges: gusset_indices,
     /// GUSSET_CUT_... of each cut edge.
+    /// @choice gusset_cut_kind
     pub cut_kinds: gusset_indices,
     /// Number of darts.
     pub darts: u32,

@@ -56,16 +56,20 @@ pub struct gusset_facing_view {
     /// Normals C_2 - C_1 and C_1 - C_2 of the planes, equations 6 and 7.
     pub normal: [[f64; 3]; 2],
     /// Distance of each vertex from the plane of its loop, positive towards the other loop.
+    /// @shape counts
     pub distances: [*const f64; 2],
     /// First index and number of vertices of each run of facing vertices, alternating. A run may
     /// pass the end of the loop.
+    /// @shape * 2
     pub runs: [gusset_indices; 2],
     /// First index and number of vertices of the chosen run, as arc_a and arc_b of
     /// gusset_stitch_options.
     pub taken: [[u32; 2]; 2],
+    /// Number of vertices of each loop.
+    pub counts: [usize; 2],
 }
 
-versioned! { gusset_facing_options: 24 reserved, gusset_facing_view: 168 }
+versioned! { gusset_facing_options: 24 reserved, gusset_facing_view: 184 }
 
 impl gusset_facing_options {
     fn checked(self) -> Result<Options, Failure> {
@@ -137,6 +141,7 @@ pub unsafe extern "C" fn gusset_facing_get_view(
         distances: found.distances.each_ref().map(|list| lent(list)),
         runs: runs.each_ref().map(|list| gusset_indices::lend(list.as_flattened())),
         taken: found.taken.each_ref().map(pair),
+        counts: found.distances.each_ref().map(Vec::len),
     })
 }
 

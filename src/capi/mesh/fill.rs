@@ -98,6 +98,7 @@ pub struct gusset_fill_options {
     pub together: gusset_fill_together,
     /// Group number of each given loop, loop_count in all. Loops with equal numbers share a patch
     /// of genus 0, without loops left open for their own reasons. NULL: see together.
+    /// @shape loop_count
     pub groups: *const u32,
     /// Smoothness between faired patches and the old surface.
     pub continuity: gusset_fill_continuity,

@@ -98,25 +98,30 @@ pub struct gusset_fill_report {
     /// sizeof(gusset_fill_report).
     pub struct_size: usize,
     /// Each given loop, or all loops as gusset_boundary_get_loop numbers them.
+    /// @shape hole_count
     pub holes: *const gusset_hole,
     /// Number of loops.
     pub hole_count: usize,
     /// Vertices of all loops.
     pub rims: gusset_indices,
     /// Three rim vertices for each new vertex, in the order of the new vertices.
+    /// @shape * 3
     pub parents: gusset_indices,
     /// Weights of the parents, at least 0, with sum 1 for each new vertex. They give its nearest
     /// point on the plain triangulation of the rims: the vertex itself if its patch is flat, or is
     /// not faired and not creased.
+    /// @shape parents 3
     pub weights: *const f64,
     /// Pairs of intersecting faces, two indices each, ascending, the larger index first: a new
     /// face. Every contact counts, decided exactly, except at shared or coincident vertices and
     /// edges.
+    /// @shape * 2
     pub intersections: gusset_indices,
     /// Faces that GUSSET_OUTWARD_CLOSED turned over, ascending. Each keeps its first corner; the
     /// others are reversed.
     pub turned_outwards: gusset_indices,
     /// 1 if intersections were looked for, otherwise 0.
+    /// @flag
     pub intersections_known: u32,
     /// 0.
     pub reserved: u32,

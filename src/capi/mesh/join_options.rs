@@ -89,11 +89,13 @@ pub struct gusset_join_options {
     pub max_gap: f64,
     /// Pairs of whole loops to join at any distance, or NULL. A pair names two loops, or a slit
     /// twice (see gusset_joint). No loop is in two pairs.
+    /// @shape pair_count
     pub pairs: *const gusset_loop_pair,
     /// Number of pairs.
     pub pair_count: usize,
     /// Pairs not to join, or NULL; pairs takes precedence. A vertex that is on no loop after
     /// welding excludes nothing.
+    /// @shape excluded_count
     pub excluded: *const gusset_loop_pair,
     /// Number of excluded pairs.
     pub excluded_count: usize,

@@ -89,12 +89,15 @@ pub struct gusset_joint {
     /// Faces of the strip.
     pub face_count: usize,
     /// Pairs of intersecting faces, two indices each, as in gusset_stitch_report.
+    /// @shape * 2
     pub intersections: gusset_indices,
     /// 1 if intersections were searched for.
+    /// @flag
     pub intersections_known: u32,
     /// Outcome of a joint.
     pub outcome: gusset_joint_outcome,
     /// 1 if both sides are whole loops.
+    /// @flag
     pub whole: u32,
     /// Surface that was made; a strip may replace a blend.
     pub finish: gusset_finish,
@@ -125,18 +128,22 @@ pub struct gusset_join_report {
     /// sizeof(gusset_join_report).
     pub struct_size: usize,
     /// Indices of each piece in the result.
+    /// @shape piece_count
     pub pieces: *const gusset_piece_map,
     /// Number of pieces.
     pub piece_count: usize,
     /// Joints: given pairs in their order, then the others, nearest first.
+    /// @shape joint_count
     pub joints: *const gusset_joint,
     /// Number of joints.
     pub joint_count: usize,
     /// Loops without a strip, even if filled later, by smallest vertex.
+    /// @shape left_count
     pub left: *const gusset_left_loop,
     /// Number of loops.
     pub left_count: usize,
     /// Holes considered for filling.
+    /// @shape hole_count
     pub holes: *const gusset_hole,
     /// Number of holes.
     pub hole_count: usize,

@@ -32,6 +32,8 @@ pub struct gusset_orient_report {
     /// sizeof(gusset_orient_report).
     pub struct_size: usize,
     /// For each face, 1 if it was turned over, otherwise 0.
+    /// @shape face_count
+    /// @flag
     pub turned: *const u8,
     /// Number of faces.
     pub face_count: usize,

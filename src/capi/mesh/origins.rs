@@ -48,6 +48,7 @@ pub struct gusset_origins_view {
     /// Sources, numbered through all inputs.
     pub sources: gusset_indices,
     /// Weight of each source, above 0, with sum 1 for each element.
+    /// @shape sources
     pub weights: *const f64,
     /// Input i has the sources starts[i] to starts[i + 1] - 1. One entry more than inputs. Inputs
     /// are the meshes, pieces or polylines in order, or the single mesh, net or sheet.

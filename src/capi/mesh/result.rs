@@ -180,9 +180,9 @@ pub unsafe extern "C" fn gusset_result_get_mesh(
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_quality(
     result: *const gusset_result,
-    quality: *mut gusset_quality_report,
+    report: *mut gusset_quality_report,
 ) -> gusset_status {
-    lend!(result, quality, |result| match &result.0 {
+    lend!(result, report, |result| match &result.0 {
         Made::Stitch(stitch) => (&stitch.quality).into(),
         Made::Fill(fill) => (&fill.done.quality).into(),
         other => return Err(other.is_not("gusset_stitch or gusset_fill")),

@@ -32,16 +32,20 @@ pub struct gusset_stitch_report {
     /// rims of N and M vertices: from (0, 0) to (N, M), where index N is 0 again. Arcs: to (N - 1,
     /// M - 1). A step advances i or j by 1; with GUSSET_MERIDIANS_INDEX and GUSSET_MERIDIANS_QUAD
     /// also both.
+    /// @shape * 2
     pub meridians: gusset_indices,
     /// The matrix P: vertices of the result, row by row from rim 0 to rim 1. One column for each
     /// meridian.
+    /// @shape row_count+2 *
     pub matrix: gusset_indices,
     /// Three rim vertices for each new vertex; new vertices are the last of the result. In a row:
     /// the ends of the meridian, the one on rim 1 twice. In a blend: the corners of the strip
     /// triangle that holds the unfaired vertex.
+    /// @shape * 3
     pub parents: gusset_indices,
     /// Weights of the parents, at least 0 with sum 1 for each new vertex. In row k of r: 1 - k / (r
     /// + 1), k / (r + 1), 0.
+    /// @shape parents 3
     pub weights: *const f64,
     /// First face of the strip, which comes last in the result.
     pub strip_face_first: usize,
@@ -51,16 +55,20 @@ pub struct gusset_stitch_report {
     /// Interior rows, two less than in the matrix; 0 for a blend.
     pub row_count: u32,
     /// 1 for a closed band, 0 for a strip between arcs.
+    /// @flag
     pub closed: u32,
     /// 1 if the component of rim 1 was reversed to agree with rim 0; its faces keep their first
     /// corners.
+    /// @flag
     pub turned: u32,
     /// 1 if intersections were searched for.
+    /// @flag
     pub intersections_known: u32,
     /// Pairs of intersecting faces of the result, two indices each: first a strip face, the larger
     /// one if both are. Shared or coincident vertices and edges do not count; any other contact
     /// does. The test is exact. Quads are split by their shorter diagonals, other polygons into
     /// fans from their first corners. A self-intersecting polygon is paired with itself.
+    /// @shape * 2
     pub intersections: gusset_indices,
     /// Times that the fairing of rows, or of the kept blend, was moved back.
     pub back_off_count: u32,

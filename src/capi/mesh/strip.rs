@@ -51,12 +51,16 @@ pub struct gusset_strip_report {
     pub start: [u32; 2],
     /// Pairs (i, j) of indices from start on; count is twice their number. Closed polylines of N
     /// and M points: from (0, 0) to (N, M), where index N is 0 again. Open ones: to (N - 1, M - 1).
+    /// @shape * 2
     pub meridians: gusset_indices,
     /// The matrix P: vertices of the mesh, row by row from A to B, a column for each meridian.
+    /// @shape row_count+2 *
     pub matrix: gusset_indices,
     /// Ends on A and B of the meridian of each new vertex; new vertices come last.
+    /// @shape * 2
     pub parents: gusset_indices,
     /// Weight of each second parent, 0 to 1: k / (r + 1) in row k of r.
+    /// @shape parents
     pub weights: *const f64,
     /// Interior rows, two less than in the matrix; 0 without a face.
     pub row_count: u32,

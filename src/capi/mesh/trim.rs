@@ -26,7 +26,7 @@ pub struct gusset_trim_options {
     pub max_angle: f64,
     /// x, y, z for each piece, in the unit of the positions, or NULL. Parts seen at flat angles
     /// weigh less.
-    /// @points
+    /// @shape viewpoint_count 3
     pub viewpoints: *const f64,
     /// Number of pieces, or 0.
     pub viewpoint_count: usize,
@@ -54,6 +54,7 @@ pub struct gusset_trim_view {
     /// sizeof(gusset_trim_view).
     pub struct_size: usize,
     /// Kept faces of each piece.
+    /// @shape piece_count
     pub pieces: *const gusset_trimmed_piece,
     /// Number of pieces.
     pub piece_count: usize,

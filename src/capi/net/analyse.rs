@@ -35,32 +35,41 @@ pub struct gusset_net_analysis_view {
     /// sizeof(gusset_net_analysis_view).
     pub struct_size: usize,
     /// Ratio of new to old length of each link; NaN if the old length is 0 or an end is missing.
+    /// @shape link_count
     pub links: *const f64,
     /// 2 * rows * columns.
     pub link_count: usize,
     /// Ratio of new to old area of each cell; NaN if the old area is 0 or the cell is absent.
     /// Negative for folds or, with fields, negative determinants.
+    /// @shape cell_count
     pub cells: *const f64,
     /// Jacobian determinant of the fields at the centre of each cell; NULL if nets are compared.
+    /// @shape cell_count
     pub determinants: *const f64,
     /// (rows - 1) * (columns - 1).
     pub cell_count: usize,
     /// Links that became a point and are not glued; see links of gusset_glue_options.
+    /// @shape contracted_count
     pub contracted: *const u32,
     /// For each contracted link, the local gluing of its first node once all are contracted: 0 to
     /// 17.
+    /// @shape contracted_count
+    /// @choice gusset_gluing_type
     pub stars: *const u32,
     /// Number of contracted links.
     pub contracted_count: usize,
     /// Glued links whose ends separated.
+    /// @shape torn_count
     pub torn: *const u32,
     /// Number of torn links.
     pub torn_count: usize,
     /// Cells oriented against the majority.
+    /// @shape folded_count
     pub folded: *const u32,
     /// Number of folded cells.
     pub folded_count: usize,
     /// 1: nothing is newly glued, torn or folded (a soft deformation); 0: hard.
+    /// @flag
     pub soft: u32,
     /// 0.
     pub reserved: u32,
@@ -77,6 +86,7 @@ pub struct gusset_net_analysis_options {
     /// Deformed net of the same size; NULL: fields deform the net.
     pub after: *const gusset_net,
     /// Fields, as for gusset_net_deform.
+    /// @shape field_count
     pub fields: *const gusset_field,
     /// Number of fields; 0 beside after.
     pub field_count: usize,

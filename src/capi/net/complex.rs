@@ -71,14 +71,18 @@ pub struct gusset_net_complex_view {
     /// Vertices of all chains, with faces on the left.
     pub boundary_nodes: gusset_indices,
     /// For each chain: 0 for a loop, 1 if it ends at edges of three or more faces.
+    /// @flag
     pub boundary_open: gusset_indices,
     /// Edges without faces.
+    /// @shape * 2
     pub wires: gusset_indices,
     /// Edges of three or more faces.
+    /// @shape * 2
     pub branches: gusset_indices,
     /// Vertices whose faces form several fans that meet only there.
     pub pinches: gusset_indices,
     /// Edges that two faces traverse in the same direction.
+    /// @shape * 2
     pub conflicts: gusset_indices,
 }
 

@@ -131,10 +131,12 @@ pub struct gusset_glue_options {
     /// For detect: largest distance of coincident nodes, at least 0 and finite.
     pub tolerance: f64,
     /// Gluings to add, at any alignment.
+    /// @shape gluing_count
     pub gluings: *const gusset_gluing,
     /// Number of gluings.
     pub gluing_count: usize,
     /// Links to contract, at any alignment; see contracted of gusset_net_analysis_view.
+    /// @shape link_count
     pub links: *const u32,
     /// Number of links.
     pub link_count: usize,

@@ -198,6 +198,7 @@ pub struct gusset_net_gluing_report {
     /// Sides, if they describe all links; else UINT32_MAX, and the matrix does.
     pub sides: gusset_sides,
     /// 1: faces have the opposite orientation.
+    /// @flag
     pub reversed: u32,
 }
 

@@ -45,6 +45,7 @@ pub struct gusset_net_measure_report {
     pub centroid: [f64; 3],
     /// Inertia tensor of the body about its centroid, density 1. Diagonal: integrals of y^2 + z^2
     /// and so on; else of -x y and so on.
+    /// @shape 3 3
     pub inertia: [f64; 9],
 }
 

@@ -67,11 +67,13 @@ pub struct gusset_net_mesh_report {
     /// Cell of each face.
     pub cell_of_face: gusset_indices,
     /// Edges without faces, two vertices each, from cells whose opposite sides are glued.
+    /// @shape * 2
     pub wires: gusset_indices,
     /// For each corner of the mesh, the index of its pair in texture_coordinates; empty unless
     /// requested.
     pub texture_corners: gusset_indices,
     /// Pairs (column, row), each from 0 to 1. A vertex on a seam has one pair on each side.
+    /// @shape texture_count 2
     pub texture_coordinates: *const f64,
     /// Number of pairs.
     pub texture_count: usize,

@@ -20,6 +20,8 @@ pub struct gusset_planarise_options {
     pub tolerance: f64,
     /// One byte for each node. 1: the node and all nodes glued to it stay; 0: it may move. NULL:
     /// all may move.
+    /// @shape fixed_count
+    /// @flag
     pub fixed: *const u8,
     /// Number of bytes: rows * columns; 0 with NULL.
     pub fixed_count: usize,
@@ -53,6 +55,7 @@ pub struct gusset_planarise_report {
     /// Number of steps; 0 if all cells were planar, and no bit changed.
     pub iterations: u32,
     /// 1: deviation_after is within the tolerance; 0: approximate result.
+    /// @flag
     pub converged: u32,
 }
 

@@ -76,6 +76,7 @@ pub struct gusset_net_primitive {
     pub size: [f64; 3],
     /// Distance from the axis, at least 0, and height of each point, upwards, at any alignment.
     /// Points on the axis are poles. A closed profile makes a ring.
+    /// @shape profile_count 2
     pub profile: *const f64,
     /// Number of points, at least 2.
     pub profile_count: usize,

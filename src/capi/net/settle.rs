@@ -23,6 +23,8 @@ pub struct gusset_settle_options {
     pub reference: *const gusset_net,
     /// One byte for each part between bridges, in order: 1 moves it as a rigid body, 0 holds it.
     /// NULL holds all.
+    /// @shape free_count
+    /// @flag
     pub free: *const u8,
     /// Number of bytes, at least the number of parts; 0 with NULL.
     pub free_count: usize,
@@ -60,6 +62,7 @@ pub struct gusset_settle_report {
     pub collapsed: u32,
     /// 1: no film collapsed, and the last step met the tolerance or was too small to lower the
     /// energy. 0: approximate result.
+    /// @flag
     pub converged: u32,
     /// 0.
     pub reserved: u32,

@@ -49,6 +49,7 @@ pub struct gusset_net_validation_view {
     /// sizeof(gusset_net_validation_view).
     pub struct_size: usize,
     /// The findings.
+    /// @shape count
     pub findings: *const gusset_net_finding,
     /// Number of findings.
     pub count: usize,

@@ -91,6 +91,7 @@ pub struct gusset_winged_view {
     /// sizeof(gusset_winged_view).
     pub struct_size: usize,
     /// Edges, ordered by their first half-edges, which start at M.
+    /// @shape edge_count
     pub edges: *const gusset_winged_edge,
     /// Number of edges.
     pub edge_count: usize,

@@ -23,6 +23,7 @@ pub struct gusset_scene_instance {
     /// Instance of the enclosing group; UINT32_MAX at top level.
     pub parent: u32,
     /// 1 unless the entry or an enclosing group is hidden.
+    /// @flag
     pub visible: u32,
     /// 0.
     pub reserved: u32,

@@ -43,6 +43,7 @@ pub struct gusset_scene_entry_report {
     /// Kind of a scene entry.
     pub kind: gusset_scene_entry_kind,
     /// 1: shown, unless an enclosing group is hidden.
+    /// @flag
     pub visible: u32,
 }
 

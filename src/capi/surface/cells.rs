@@ -40,19 +40,25 @@ pub struct gusset_surface_cells_view {
     pub struct_size: usize,
     /// Cells, sorted by sheet, row, column. Pairs: cells of the first surface, sorted by both
     /// sheets, then row, column.
+    /// @shape cell_count
     pub cells: *const gusset_surface_cell,
     /// Number of cells or pairs.
     pub cell_count: usize,
     /// Cells of the second surface.
+    /// @shape cell_count
     pub others: *const gusset_surface_cell,
     /// By cell: 1 if all of it is within the radius.
+    /// @shape cell_count
+    /// @flag
     pub whole: *const u32,
     /// One bit for each cell of all sheets, 1 in the region. Cell (i, j) of sheet k with c columns
     /// has bit b = first[k] + i * c + j: mask[b / 64] >> (b % 64) & 1.
+    /// @shape word_count
     pub mask: *const u64,
     /// Words of the mask.
     pub word_count: usize,
     /// First bit of each sheet, then the number of bits.
+    /// @shape sheet_count+1
     pub first: *const u64,
     /// Number of sheets.
     pub sheet_count: usize,

@@ -45,6 +45,7 @@ pub struct gusset_surface_point {
     /// normal.
     pub principal: [f64; 2],
     /// Principal directions: two unit tangents, x, y, z each.
+    /// @shape 2 3
     pub directions: [f64; 6],
     /// Mean curvature.
     pub mean: f64,
@@ -53,6 +54,7 @@ pub struct gusset_surface_point {
     /// Kind of a normal.
     pub normal_kind: gusset_normal_kind,
     /// 1: curvatures are given; 0: the surface is not regular, and they are 0.
+    /// @flag
     pub is_curved: u32,
 }
 

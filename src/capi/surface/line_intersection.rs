@@ -88,10 +88,13 @@ pub struct gusset_surface_hits_view {
     /// Number of hits of all queries.
     pub hit_count: usize,
     /// query_count + 1 offsets: query k has the hits ends[k] to ends[k + 1] - 1.
+    /// @shape query_count+1
     pub ends: *const u64,
     /// The hits, by rising t in each query.
+    /// @shape hit_count
     pub hits: *const gusset_surface_hit,
     /// For each hit of the curve three places on it: hit, start and end of span. Else NULL.
+    /// @shape on_curve_count/3 3
     pub on_curve: *const gusset_place,
     /// Number of places on the curve.
     pub on_curve_count: usize,

@@ -49,8 +49,10 @@ pub struct gusset_surface_sheet {
     /// offset of its values for GUSSET_CONTOUR_VALUES.
     pub first_node: u64,
     /// 1: closed in u.
+    /// @flag
     pub closed_u: u32,
     /// 1: closed in v.
+    /// @flag
     pub closed_v: u32,
 }
 
@@ -143,22 +145,31 @@ pub struct gusset_surface_paths_view {
     pub ends: gusset_indices,
     /// By curve: 1 if closed. The first point is not repeated; append it for
     /// gusset_curve_through_create.
+    /// @shape path_count
+    /// @flag
     pub closed: *const u32,
     /// By curve: index of its plane, level or angle, or 0.
+    /// @shape path_count
     pub levels: *const u32,
     /// x, y, z of each point, on the surface.
+    /// @shape point_count 3
     pub points: *const f64,
     /// Unit normals, x, y, z at each point; 0 where undefined.
+    /// @shape point_count 3
     pub normals: *const f64,
     /// Places of the points.
+    /// @shape point_count
     pub places: *const gusset_surface_place,
     /// For intersections: places on the second surface; else NULL.
+    /// @shape point_count
     pub others: *const gusset_surface_place,
     /// Cells that may contain a tangency, a coincidence, or pieces smaller than the tolerance.
+    /// @shape unresolved_count
     pub unresolved: *const gusset_surface_place,
     /// Number of unresolved cells.
     pub unresolved_count: usize,
     /// For intersections: points where the surfaces touch.
+    /// @shape contact_count
     pub contacts: *const gusset_surface_contact,
     /// Number of contacts.
     pub contact_count: usize,

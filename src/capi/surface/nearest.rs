@@ -73,6 +73,7 @@ pub struct gusset_surface_points_view {
     /// sizeof(gusset_surface_points_view).
     pub struct_size: usize,
     /// The points, nearest first.
+    /// @shape count
     pub points: *const gusset_surface_nearest_point,
     /// Number of points.
     pub count: usize,
@@ -80,6 +81,7 @@ pub struct gusset_surface_points_view {
     pub bound: f64,
     /// 1, or 0 if the search stopped at `bound`, as it may if the distance is constant over the
     /// surface.
+    /// @flag
     pub complete: u32,
     /// 0.
     pub reserved: u32,

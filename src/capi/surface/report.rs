@@ -29,6 +29,7 @@ pub struct gusset_surface_report {
     /// Bytes of the cones of normals; 0 if not built (see gusset_surface_options).
     pub cone_bytes: usize,
     /// The sheets.
+    /// @shape sheet_count
     pub sheets: *const gusset_surface_sheet,
 }
 

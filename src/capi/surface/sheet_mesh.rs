@@ -39,8 +39,10 @@ pub struct gusset_sheet_mesh_report {
     /// Number of vertices.
     pub vertex_count: usize,
     /// Place of each vertex; its sheet is 0.
+    /// @shape vertex_count
     pub places: *const gusset_surface_place,
     /// Unit normal of each vertex: x, y, z; 0 if undefined.
+    /// @shape vertex_count 3
     pub normals: *const f64,
     /// Bound of the distance between surface and triangles, for quads divided by either diagonal.
     pub deviation: f64,

@@ -23,24 +23,33 @@ pub struct gusset_sheet_report {
     /// Degree of the stored patches in both directions: 3 or 7.
     pub degree: u32,
     /// 1: the sheet stores nodes; 0: it stores patches.
+    /// @flag
     pub is_grid: u32,
     /// 1: closed in u.
+    /// @flag
     pub closed_u: u32,
     /// 1: closed in v.
+    /// @flag
     pub closed_v: u32,
     /// 1: the side u = 0 is one point, a pole.
+    /// @flag
     pub pole_u0: u32,
     /// 1: the side u = rows is a pole.
+    /// @flag
     pub pole_u1: u32,
     /// 1: the side v = 0 is a pole.
+    /// @flag
     pub pole_v0: u32,
     /// 1: the side v = columns is a pole.
+    /// @flag
     pub pole_v1: u32,
     /// Bound of the distance from a rational spline at equal parameters, rounding included; else 0.
     pub deviation: f64,
     /// For a spline: its rows + 1 rising parameters at u = 0, 1, ..., linear between; else NULL.
+    /// @shape rows+1
     pub knots_u: *const f64,
     /// For a spline: its columns + 1 parameters at v = 0, 1, ...; else NULL.
+    /// @shape columns+1
     pub knots_v: *const f64,
 }
 

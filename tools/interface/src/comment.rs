@@ -14,9 +14,10 @@
 //! | `@source text` | functions, files | paper, section, equation |
 //! | `@when neighbour A, B` | fields, parameters | it is read only if a neighbour has one of these values |
 //! | `@values A, B` | fields | the only constants of its choice that it takes |
-//! | `@flag` | fields, parameters | 0 or 1 |
-//! | `@points` | fields | each element is a point: three numbers |
+//! | `@flag` | fields, parameters | 0 or 1, or an array of these |
 //! | `@option` | fields | an option in a struct of other inputs |
+//! | `@choice name` | fields | its numbers are constants of a choice that its type does not name |
+//! | `@shape count 3` | fields | the sizes of an array, from the outside in: see [`size_field`] |
 //! | `@bits` | choices | values are bits, which may be combined |
 
 use serde::Serialize;
@@ -62,7 +63,7 @@ pub struct Comment {
 
 /// Tags with free contents.
 const TAGS: [&str; 10] =
-    ["return", "complexity", "threads", "source", "when", "flag", "bits", "values", "points", "option"];
+    ["return", "complexity", "threads", "source", "when", "flag", "bits", "values", "choice", "shape", "option"];
 
 impl Comment {
     /// Parses the lines of a comment.
@@ -105,7 +106,12 @@ impl Comment {
                     comment.params.push((param.to_owned(), text.trim().to_owned()));
                 }
                 "errors" => comment.errors = causes(&content)?,
-                _ if TAGS.contains(&name.as_str()) => comment.tags.push((name, content)),
+                _ if TAGS.contains(&name.as_str()) => {
+                    if name == "shape" {
+                        content.split(' ').try_for_each(|size| size_field(size).map(drop))?;
+                    }
+                    comment.tags.push((name, content));
+                }
                 _ => return Err(format!("@{name} is not a tag of the grammar")),
             }
         }
@@ -125,6 +131,31 @@ impl Comment {
     /// The content of a tag.
     pub fn tag(&self, name: &str) -> Option<&str> {
         self.tags.iter().find(|(tag, _)| tag == name).map(|(_, content)| content.as_str())
+    }
+}
+
+/// The field that a size of `@shape` refers to.
+///
+/// A size is a number, a field of the struct, a field plus or divided by a number, or `*`: whatever
+/// the number of elements leaves. A field that is an array stands for its length; a field of several
+/// numbers has one for each of several arrays. Options may refer to a parameter of their function.
+///
+/// # Errors
+///
+/// A sentence about a size that is none of these.
+pub fn size_field(size: &str) -> Result<Option<&str>, String> {
+    let is_number = |text: &str| !text.is_empty() && text.bytes().all(|digit| digit.is_ascii_digit());
+    let is_name = |text: &str| {
+        text.starts_with(|c: char| c.is_ascii_lowercase())
+            && text.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
+    };
+    let (name, number) = size.split_once(['+', '/']).unwrap_or((size, "1"));
+    if size == "*" || is_number(size) {
+        Ok(None)
+    } else if is_name(name) && is_number(number) {
+        Ok(Some(name))
+    } else {
+        Err(format!("@shape: {size:?} is not a size"))
     }
 }
 
@@ -201,8 +232,26 @@ mod tests {
     }
 
     #[test]
+    fn sizes_are_numbers_or_refer_to_fields() {
+        assert_eq!(parse("A.\n@shape rows+1 *").unwrap().tag("shape"), Some("rows+1 *"));
+        let fields = ["*", "3", "rows", "rows+1", "on_curve_count/3"].map(|size| size_field(size).unwrap());
+        assert_eq!(fields, [None, None, Some("rows"), Some("rows"), Some("on_curve_count")]);
+    }
+
+    #[test]
     fn the_grammar_refuses_the_rest() {
-        for text in ["@since 0.1", "@param a", "@errors A, of B", "@errors A (b) c", "@errors A)", "@errors"] {
+        for text in [
+            "@since 0.1",
+            "@param a",
+            "@errors A, of B",
+            "@errors A (b) c",
+            "@errors A)",
+            "@errors",
+            "@shape",
+            "@shape a*2",
+            "@shape N",
+            "@shape +1",
+        ] {
             assert!(parse(text).is_err(), "{text}");
         }
     }

@@ -6,7 +6,7 @@
 //! |---|---|
 //! | a choice, `@flag` | its enum, `bool` |
 //! | a number or an array of fixed size with `@when neighbour A` | `std::optional`: a value sets the neighbour to A |
-//! | an array and its `_count`, `gusset_indices` | `std::vector`; of `Point3` if `@points` |
+//! | an array and its `_count`, `gusset_indices` | `std::vector`; of `Point3` if `@shape count 3` |
 //! | a pointer to a struct of options | the struct of C++ by value |
 //! | a pointer to a handle, a struct | the same |
 //!
@@ -160,7 +160,8 @@ impl<'a> Writer<'a> {
     }
 
     fn element(field: &Field) -> &str {
-        if field.comment.tag("points").is_some() { "Point3" } else { &field.kind.name }
+        let is_point = |shape: &str| shape.split_once(' ').is_some_and(|(_, size)| size == "3");
+        if field.comment.tag("shape").is_some_and(is_point) { "Point3" } else { &field.kind.name }
     }
 
     /// The struct of C++.

@@ -116,8 +116,9 @@ fn cleaned(comment: &Comment) -> Comment {
         "flag" => Some("0 or 1.".to_owned()),
         "bits" => Some("A sum of constants.".to_owned()),
         "option" => Some(String::new()),
-        "points" => Some("Three numbers a point.".to_owned()),
         "values" => Some(format!("Takes {text} only.")),
+        "choice" => Some(format!("See {text}.")),
+        "shape" => Some(format!("Shape: {}.", text.replace('*', "n").replace(' ', " x "))),
         _ => None,
     };
     let sentences: Vec<String> = comment.tags.iter().filter_map(said).filter(|said| !said.is_empty()).collect();
