@@ -169,7 +169,7 @@ fixed! { gusset_surface_place: 32, gusset_surface_contact: 88, gusset_surface_sh
 c_enum! { kind: ContactKind { GUSSET_CONTACT_POINT => Point, GUSSET_CONTACT_CROSSING => Crossing } }
 
 impl gusset_surface_sheet {
-    /// The sheets of a surface.
+    /// The views of a surface's sheets.
     pub(crate) fn all(surface: &Surface<'_>) -> Result<Vec<Self>, Error> {
         let (mut first_cell, mut first_node) = (0, 0);
         alloc::collect((0..surface.len()).map(|k| {
@@ -222,7 +222,7 @@ impl TryFrom<Paths> for gusset_surface_paths {
     }
 }
 
-/// The sheets of an array of handles; copies share their nodes.
+/// Reads the sheets of an array of handles; copies share their nodes.
 fn sheets(handles: *const *const gusset_sheet, count: usize) -> Result<Vec<Sheet<'static>>, Failure> {
     let handles = handle::list(handles, count, "sheets")?;
     alloc::try_collect(handles.map(|handle| Ok(handle?.0.clone())))
