@@ -423,7 +423,7 @@ mod tests {
     }
 
     #[test]
-    fn the_host_is_asked_while_this_thread_waits() {
+    fn progress_is_reported_while_this_thread_waits() {
         struct Patience(Cell<u32>);
         impl Progress for Patience {
             fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {

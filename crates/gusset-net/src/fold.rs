@@ -159,7 +159,7 @@ fn error<T: Real>(points: &[DVec3], tolerance: f64) -> f64 {
 
 /// Differences of nodes and their error bound, scaled so that products neither overflow nor
 /// underflow.
-fn scaled<const N: usize>(vectors: [DVec3; N], error: f64) -> ([DVec3; N], f64) {
+fn scale_vectors<const N: usize>(vectors: [DVec3; N], error: f64) -> ([DVec3; N], f64) {
     let largest = vectors.iter().fold(0.0, |largest: f64, vector| largest.max(vector.abs().max_element()));
     (vectors.map(|vector| vector / largest), error / largest)
 }
@@ -177,7 +177,7 @@ fn test_link<T: Real>(
     let error = error::<T>(cells.as_flattened(), tolerance);
     // Twice the vectors from the link to the middle of the opposite sides.
     let [u, v] = cells.map(|[a, b, c, d]| (a - p) + (b - p) + (c - q) + (d - q));
-    let ([along, u, v], error) = scaled([q - p, u, v], error);
+    let ([along, u, v], error) = scale_vectors([q - p, u, v], error);
     let [one, other] = [u, v].map(|away| along.cross(away));
     let is_wide = |area: DVec3, away: DVec3| area.length() > 2.0 * error * (along.length() + away.length());
     if !(is_wide(one, u) && is_wide(other, v)) {
@@ -205,7 +205,7 @@ fn test_cell<T: Real>(planes: &Planes<'_, T>, i: usize, j: usize, tolerance: f64
 /// The test of two segments, p q and r s: they cross between their ends, or miss each other by less
 /// than the margin.
 fn cross([p, q]: [DVec3; 2], [r, s]: [DVec3; 2], error: f64, margin: f64) -> FoldTest {
-    let ([u, v, across], error) = scaled([q - p, s - r, r - p], error);
+    let ([u, v, across], error) = scale_vectors([q - p, s - r, r - p], error);
     let normal = u.cross(v);
     let (area, size) = (normal.length(), u.length() + v.length());
     let is_wide = area * margin > 2.0 * error * size;

@@ -65,7 +65,7 @@ fn write<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, out: &mut Planes<'_, T>
     job.step(0.0, STAGE)?;
     let corners = CornerSums::new(net, planes)?;
     let without: u64 = rows(&corners, out, &job.part(0.0, 0.8))?.into_iter().sum();
-    Ok(without + glued(&corners, out, &job.part(0.8, 1.0))?)
+    Ok(without + write_glued(&corners, out, &job.part(0.8, 1.0))?)
 }
 
 /// The data for sums over the corners at a node.
@@ -230,7 +230,7 @@ fn row<T: Real>(corners: &CornerSums<'_, T>, i: usize, mut out: [&mut [T]; 3]) -
 
 /// The normals of glued nodes, from the sum over all nodes of each class. Returns the number of
 /// nodes without a normal.
-fn glued<T: Real>(corners: &CornerSums<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<u64> {
+fn write_glued<T: Real>(corners: &CornerSums<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<u64> {
     let (shape, groups) = (out.shape(), &corners.groups);
     let places = |k: usize| groups.get(k).iter().map(|&node| shape.place(node));
     let mut normals = alloc::zeroed(groups.len())?;

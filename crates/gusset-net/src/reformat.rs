@@ -54,7 +54,7 @@ impl Net<'_> {
         let map = Rearrangement::Selection { rows: &old_indices(&row_starts)?, columns: &old_indices(&column_starts)? };
         let mut net = self.rearranged(&map, topology, job)?;
         for bridge in self.bridges() {
-            let bridge = bridge.moved(|i| row_starts[i as usize], |j| column_starts[j as usize]);
+            let bridge = bridge.with_moved_lines(|i| row_starts[i as usize], |j| column_starts[j as usize]);
             alloc::push(net.bridges_mut(), bridge)?;
         }
         Ok(net)
@@ -108,8 +108,8 @@ impl Net<'_> {
         let place = |i: u32| kept.partition_point(|&k| k < i) as u32;
         for bridge in self.bridges() {
             let bridge = match axis {
-                Direction::Down => bridge.moved(place, |j| j),
-                Direction::Right => bridge.moved(|i| i, place),
+                Direction::Down => bridge.with_moved_lines(place, |j| j),
+                Direction::Right => bridge.with_moved_lines(|i| i, place),
             };
             if bridge.at > bridge.rows && bridge.end > bridge.start + 1 {
                 alloc::push(net.bridges_mut(), bridge)?;
@@ -135,7 +135,7 @@ impl Net<'_> {
 impl Bridge {
     /// The bridge in a net whose rows and columns move. An end moves like the line that it
     /// excludes.
-    fn moved(&self, row: impl Fn(u32) -> u32, column: impl Fn(u32) -> u32) -> Bridge {
+    fn with_moved_lines(&self, row: impl Fn(u32) -> u32, column: impl Fn(u32) -> u32) -> Bridge {
         let inner = self.at - self.rows;
         let (at, inner, start, end) = match self.direction {
             Direction::Right => (column(self.at), column(inner), row(self.start), row(self.end)),

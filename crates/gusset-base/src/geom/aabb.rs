@@ -87,14 +87,14 @@ impl Aabb {
     /// The distance of a point from the box along each axis, 0 where the point is within the box's
     /// range.
     #[inline]
-    pub fn outside(&self, point: DVec3) -> DVec3 {
+    pub fn axis_distances(&self, point: DVec3) -> DVec3 {
         (self.low - point).max(point - self.high).max(DVec3::ZERO)
     }
 
     /// The squared distance to a point; infinite for the empty box.
     #[inline]
     pub fn distance_squared(&self, point: DVec3) -> f64 {
-        self.outside(point).length_squared()
+        self.axis_distances(point).length_squared()
     }
 
     /// The gap between the boxes along each axis, negative where they overlap.

@@ -188,7 +188,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn equals_brute_force(
+        fn queries_agree_with_brute_force(
             corners in prop::collection::vec((0u8..9, 0u8..9, 0u8..9, 0u8..3, 0u8..3, 0u8..3), 1..80),
             group in 1usize..5,
         ) {

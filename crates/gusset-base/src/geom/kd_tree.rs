@@ -153,7 +153,7 @@ impl<'a> KdTree<'a> {
         accept: impl Fn(u32) -> bool,
     ) -> Option<(f64, u32)> {
         let mut best = (limit, u32::MAX);
-        self.search(0..self.order.len(), query, self.whole.outside(query), own, &accept, &mut best);
+        self.search(0..self.order.len(), query, self.whole.axis_distances(query), own, &accept, &mut best);
         (best.1 != u32::MAX).then_some(best)
     }
 

@@ -107,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn known_triangles() {
+    fn measures_of_known_triangles_are_exact() {
         let (o, x, y) = (DVec3::ZERO, DVec3::X, DVec3::Y);
         assert_eq!(double_area(o, x, y), 1.0);
         assert!((min_angle(o, x, y) - PI / 4.0).abs() < 1e-15);

@@ -136,10 +136,10 @@ pub(crate) struct SegmentBuffer {
 
 impl SegmentBuffer {
     pub(crate) fn new(controls: &[DVec3]) -> Self {
-        Self::mapped(controls, |p| p)
+        Self::from_mapped(controls, |p| p)
     }
 
-    pub(crate) fn mapped(controls: &[DVec3], map: impl Fn(DVec3) -> DVec3) -> Self {
+    pub(crate) fn from_mapped(controls: &[DVec3], map: impl Fn(DVec3) -> DVec3) -> Self {
         let mut buffer = SegmentBuffer { controls: [DVec3::ZERO; MAX_DEGREE + 1], len: controls.len() };
         buffer.controls.iter_mut().zip(controls).for_each(|(to, &p)| *to = map(p));
         buffer

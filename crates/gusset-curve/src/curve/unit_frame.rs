@@ -56,7 +56,7 @@ impl UnitFrame {
 
     /// Transforms the control points of a segment into the frame.
     pub(crate) fn segment(&self, controls: &[DVec3]) -> SegmentBuffer {
-        SegmentBuffer::mapped(controls, |p| self.point(p))
+        SegmentBuffer::from_mapped(controls, |p| self.point(p))
     }
 
     /// Transforms a point from the frame into the host's coordinates.

@@ -71,7 +71,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn planes() {
+    fn plane_normals_are_found() {
         let options = Options::default();
         let normal = |points: &[DVec3]| {
             plane_normal(&Subcurve { points, closed: false, tangents: [None, None], size: 4.0, options: &options })
@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn guides_of_triangles() {
+    fn guides_follow_the_method() {
         let (u, w) = (DVec3::new(-3.0, -4.0, 0.0), DVec3::new(7.0, -4.0, 0.0));
         // The errata's triangle: the foot of the bisector of (0, 0), (3, 4), (10, 0) is at 3.83,
         // not at 6.20 as printed.

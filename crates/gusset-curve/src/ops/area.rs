@@ -36,7 +36,7 @@ pub struct Moments {
 
 /// The components of the control points relative to `start`, in the frame, and of the derivative.
 fn components(frame: &UnitFrame, start: DVec3, controls: &[DVec3]) -> [[[f64; MAX_DEGREE + 1]; 3]; 2] {
-    let r = SegmentBuffer::mapped(controls, |p| frame.point(p) - start);
+    let r = SegmentBuffer::from_mapped(controls, |p| frame.point(p) - start);
     let mut d = r;
     d.derive();
     [r, d].map(|points| {

@@ -107,7 +107,7 @@ impl CurveView<'_> {
                 reduced.curve.push(&controls[1..])?;
                 continue;
             }
-            let mut back = SegmentBuffer::mapped(&fitted, |p| frame.point_back(p));
+            let mut back = SegmentBuffer::from_mapped(&fitted, |p| frame.point_back(p));
             back[highest] = controls[controls.len() - 1];
             reduced.curve.push(&back[1..])?;
         }

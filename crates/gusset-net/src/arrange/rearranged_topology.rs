@@ -12,7 +12,7 @@ use std::ops::Range;
 impl Topology {
     /// The image under an exchange of rows and columns or a reversal of either, given the images of
     /// sides, links and runs. The face orientation is reversed, as every such map reverses it.
-    fn mapped(
+    fn map_elements(
         &self,
         shape: Shape,
         sides: impl Fn(Sides) -> Sides,
@@ -35,7 +35,7 @@ impl Topology {
             let (i, j) = old.place(link / 2);
             2 * shape.node(j, i) + (1 - link % 2)
         };
-        self.mapped(shape, Sides::transposed, link, Run::transposed)
+        self.map_elements(shape, Sides::transposed, link, Run::transposed)
     }
 
     /// The last row first.
@@ -52,7 +52,7 @@ impl Topology {
             }
         };
         let sides = |sides: Sides| Sides { pole_top: sides.pole_bottom, pole_bottom: sides.pole_top, ..sides };
-        self.mapped(shape, sides, link, |run| Run { row: last as u32 - run.row, row_step: -run.row_step, ..run })
+        self.map_elements(shape, sides, link, |run| Run { row: last as u32 - run.row, row_step: -run.row_step, ..run })
     }
 
     /// Applies a map of rows to the rows (`Down`) or, through the transposed topology, to the

@@ -376,7 +376,7 @@ impl Grid {
             if *first == NONE {
                 *first = node;
             } else if sets.union(*first, node) {
-                let [a, b] = [*first, node].map(|node| shape.place(node)).map(|(i, j)| Run::at(i, j));
+                let [a, b] = [*first, node].map(|node| shape.place(node)).map(|(i, j)| Run::stationary(i, j));
                 alloc::push(&mut seams, Seam { a, b, count: 1 })?;
                 touches = true;
             }

@@ -24,7 +24,7 @@ pub use join_options::JoinOptions;
 pub(crate) use joined_matrices::starts;
 
 use super::{Bridge, BridgeMode, Direction, Net, Shape};
-use adapt::{AdaptedNet, adapted};
+use adapt::{AdaptedNet, adapt_net};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
@@ -86,7 +86,7 @@ pub(crate) fn join_mirrored(
         }
         let flip = (net.topology().is_reversed() != mirrored) != reversed;
         let twist = if k == 0 { 0 } else { options.twist };
-        copies.push(adapted(net, flip, along, twist, options, &part)?);
+        copies.push(adapt_net(net, flip, along, twist, options, &part)?);
     }
     let fitted = nets.iter().zip(&copies).map(|(&net, copy)| copy.as_ref().map_or(net, |(copy, _)| copy));
     let nets: Vec<&Net<'_>> = alloc::collect(fitted)?;

@@ -15,18 +15,20 @@ use gusset_mesh::Scalar;
 /// The net of a shape with valid dimensions.
 pub(super) fn net(primitive: &Primitive<'_>, shape: Shape, scalar: Scalar, job: &Job<'_>) -> Result<Net<'static>> {
     let (h, w) = (shape.rows(), shape.columns());
-    let turn = |profile: &[Point], section: &[Point]| swept(shape, profile, section, scalar, job);
+    let turn = |profile: &[Point], section: &[Point]| sweep(shape, profile, section, scalar, job);
     match *primitive {
         Primitive::Sphere { radius } => turn(&half_circle(radius, h)?, &unit_circle(w)?),
         Primitive::Torus { radius, minor_radius } => turn(&circle(radius, minor_radius, h)?, &unit_circle(w)?),
-        Primitive::Tube { radius, height } => turn(&polyline(&wall(radius, height), h)?, &unit_circle(w)?),
-        Primitive::Cylinder { radius, height } => turn(&polyline(&capped(radius, height), h)?, &unit_circle(w)?),
-        Primitive::Cone { radius, height } => turn(&polyline(&pointed(radius, height), h)?, &unit_circle(w)?),
+        Primitive::Tube { radius, height } => turn(&polyline(&tube_profile(radius, height), h)?, &unit_circle(w)?),
+        Primitive::Cylinder { radius, height } => {
+            turn(&polyline(&cylinder_profile(radius, height), h)?, &unit_circle(w)?)
+        }
+        Primitive::Cone { radius, height } => turn(&polyline(&cone_profile(radius, height), h)?, &unit_circle(w)?),
         Primitive::Prism { sides, radius, height } => {
-            turn(&polyline(&capped(radius, height), h)?, &polygon(sides as usize, w)?)
+            turn(&polyline(&cylinder_profile(radius, height), h)?, &polygon(sides as usize, w)?)
         }
         Primitive::Pyramid { sides, radius, height } => {
-            turn(&polyline(&pointed(radius, height), h)?, &polygon(sides as usize, w)?)
+            turn(&polyline(&cone_profile(radius, height), h)?, &polygon(sides as usize, w)?)
         }
         Primitive::Lathe { profile } => turn(profile, &unit_circle(w)?),
         Primitive::Plane { size: [x, y] } => {
@@ -80,24 +82,24 @@ fn half_rim(shape: Shape, i: usize, j: usize) -> (usize, usize) {
 }
 
 /// The profile of a tube.
-fn wall(radius: f64, height: f64) -> [Point; 2] {
+fn tube_profile(radius: f64, height: f64) -> [Point; 2] {
     [[radius, -height / 2.0], [radius, height / 2.0]]
 }
 
 /// The profile of a cylinder.
-fn capped(radius: f64, height: f64) -> [Point; 4] {
-    let [low, high] = wall(radius, height);
+fn cylinder_profile(radius: f64, height: f64) -> [Point; 4] {
+    let [low, high] = tube_profile(radius, height);
     [[0.0, low[1]], low, high, [0.0, high[1]]]
 }
 
 /// The profile of a cone.
-fn pointed(radius: f64, height: f64) -> [Point; 3] {
-    let [low, high] = wall(radius, height);
+fn cone_profile(radius: f64, height: f64) -> [Point; 3] {
+    let [low, high] = tube_profile(radius, height);
     [[0.0, low[1]], low, [0.0, high[1]]]
 }
 
 /// Row i is point i of the profile, column j in the direction of point j of the section.
-fn swept(shape: Shape, profile: &[Point], section: &[Point], scalar: Scalar, job: &Job<'_>) -> Result<Net<'static>> {
+fn sweep(shape: Shape, profile: &[Point], section: &[Point], scalar: Scalar, job: &Job<'_>) -> Result<Net<'static>> {
     rows(swept_topology(shape, profile)?, scalar, job, |i, [x, y, z]| {
         let [distance, height] = profile[i];
         for ((x, y), &[u, v]) in x.iter_mut().zip(y).zip(section) {

@@ -4,7 +4,7 @@
 //! Invariant: the deviation of removed nodes from the segments that replace them stays within half
 //! the tolerance for rows, and for columns. O(nodes log rows) approximately.
 
-use super::whole_sides::{min_size, require_sides, selected, with_sides};
+use super::whole_sides::{min_size, require_sides, select_lines, with_sides};
 use crate::{Net, each};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -53,7 +53,7 @@ pub fn decimate(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Decimate
         let (rows, by_rows) = choose_kept_lines(h, min_rows, limit, &job.part(0.0, 0.5), |gap| deviation(row, gap, &all))?;
         let column = |k: usize, i: usize| planes.get(i, k);
         let (columns, by_columns) = choose_kept_lines(w, min_columns, limit, &job.part(0.5, 1.0), |gap| deviation(column, gap, &rows))?;
-        let net = with_sides(selected(net, &rows, &columns, &job.part(1.0, 1.0))?, net, sides)?;
+        let net = with_sides(select_lines(net, &rows, &columns, &job.part(1.0, 1.0))?, net, sides)?;
         Ok(Decimated { net, rows, columns, deviation: by_rows + by_columns })
     })
 }

@@ -1,7 +1,7 @@
 //! Resampling by bilinear and Catmull-Rom interpolation, a separable filter of four taps, and
 //! pyramids of nets. O(nodes of both).
 
-use super::whole_sides::{min_size, require_sides, selected, with_sides};
+use super::whole_sides::{min_size, require_sides, select_lines, with_sides};
 use crate::chunks::zip3;
 use crate::{Coordinates, Net, Planes, Real, Shape, each};
 use gusset_base::alloc;
@@ -49,7 +49,7 @@ pub fn resample(
     let along = taps(net.shape().columns(), columns, sides.rows_closed, interpolation)?;
     let across = taps(net.shape().rows(), rows, sides.columns_closed, interpolation)?;
     let coordinates =
-        each!(net.coordinates(), planes => Coordinates::from(interpolated(planes, shape, &along, &across, job)?));
+        each!(net.coordinates(), planes => Coordinates::from(interpolate(planes, shape, &along, &across, job)?));
     with_sides(coordinates, net, sides)
 }
 
@@ -82,7 +82,7 @@ pub fn pyramid(net: &Net<'_>, interpolation: Interpolation, job: &Job<'_>) -> Re
         }
         let rows = alloc::collect((0..fine.shape().rows()).step_by(row_step))?;
         let columns = alloc::collect((0..fine.shape().columns()).step_by(column_step))?;
-        let coarse = with_sides(selected(fine, &rows, &columns, &job.part(1.0, 1.0))?, fine, sides)?;
+        let coarse = with_sides(select_lines(fine, &rows, &columns, &job.part(1.0, 1.0))?, fine, sides)?;
         alloc::push(&mut levels, coarse)?;
     }
     Ok(levels)
@@ -156,14 +156,14 @@ impl Tap {
     }
 
     /// The weighted sum of numbers of a row.
-    fn along(&self, line: &[f64]) -> f64 {
+    fn blend_line(&self, line: &[f64]) -> f64 {
         let sum = || self.parts().map(|(j, weight)| weight * line[j]).sum();
         self.single().map_or_else(sum, |j| line[j])
     }
 }
 
 /// Interpolates across rows, a row at a time, then along the row.
-fn interpolated<T: Real>(
+fn interpolate<T: Real>(
     from: &Planes<'_, T>,
     shape: Shape,
     along: &[Tap],
@@ -178,7 +178,7 @@ fn interpolated<T: Real>(
         for (axis, matrix) in matrices.into_iter().enumerate() {
             for (k, row) in matrix.chunks_mut(shape.columns()).enumerate() {
                 across[block * lines + k].blend_rows(from, axis, &mut line);
-                row.iter_mut().zip(along).for_each(|(to, tap)| *to = T::from_f64(tap.along(&line)));
+                row.iter_mut().zip(along).for_each(|(to, tap)| *to = T::from_f64(tap.blend_line(&line)));
             }
         }
         Ok(())

@@ -36,7 +36,7 @@ pub(super) fn with_sides(coordinates: Coordinates<'static>, like: &Net<'_>, side
 }
 
 /// The nodes of selected rows and columns, bit for bit.
-pub(super) fn selected(
+pub(super) fn select_lines(
     net: &Net<'_>,
     rows: &[usize],
     columns: &[usize],

@@ -267,7 +267,7 @@ impl Builder<'_> {
         if law.stiffness > 0.0 && h > MIN_LENGTH {
             for end in 0..2 {
                 let side = points[end * (points.len() - 1)];
-                let before = centres[end].or_else(|| self.before(place, end, k));
+                let before = centres[end].or_else(|| self.node_before(place, end, k));
                 aims[end] = before.map(|before| self.add_aim(side, before, h)).transpose()?.flatten();
             }
         }
@@ -281,7 +281,7 @@ impl Builder<'_> {
     }
 
     /// The node before the start of a line, within the part.
-    fn before(&self, place: usize, end: usize, k: usize) -> Option<DVec3> {
+    fn node_before(&self, place: usize, end: usize, k: usize) -> Option<DVec3> {
         let before = self.composite.points[self.vertex(self.row_before(place, end)?, k) as usize];
         before.is_finite().then_some(before)
     }
@@ -392,7 +392,7 @@ impl Builder<'_> {
         let nodes = |part: usize| parts.ranges[part].clone().flat_map(move |i| (0..along).map(move |k| (i, k)));
         let pairs = (0..parts.ranges.len()).filter(leads).flat_map(nodes);
         let pairs = pairs.map(|place| [scaled(reference, place), scaled(net, place)]);
-        let motion = Motion::fitted(pairs.filter(|[p, q]| p.is_finite() && q.is_finite()));
+        let motion = Motion::fit(pairs.filter(|[p, q]| p.is_finite() && q.is_finite()));
         let mut place_node = |i: usize, k: usize| {
             let v = parts.vertex(&surface.classes, i, k) as usize;
             let at = scaled(reference, (i, k));

@@ -60,7 +60,7 @@ pub(super) fn descend(composite: &mut Composite, tolerance: f64, max: u32, job: 
         if are_held && !descent.converged {
             let unknowns = unknowns(composite)?;
             if let Some(step) = anderson.accelerated(&unknowns, &step)? {
-                let (x, motions) = model.moved(x, motions, &step, 1.0)?;
+                let (x, motions) = model.displace(x, motions, &step, 1.0)?;
                 let after = model.energies(&x).sum();
                 if after < next.2 {
                     next = (x, motions, after);
@@ -111,7 +111,7 @@ fn lower(composite: &Composite, step: &[DVec3], energy: f64, job: &Job<'_>) -> R
     let mut part = 1.0;
     for _ in 0..MAX_HALVINGS {
         job.part(1.0, 1.0).step(0.0, "settle")?;
-        let (x, motions) = composite.model.moved(&composite.points, &composite.motions, step, part)?;
+        let (x, motions) = composite.model.displace(&composite.points, &composite.motions, step, part)?;
         let after = composite.model.energies(&x).sum();
         if after <= energy * (1.0 + ROUNDING) {
             return Ok(Some((x, motions, after)));

@@ -129,7 +129,7 @@ impl Model {
     }
 
     /// The points and the motions after displacements, or after a fraction of them.
-    pub(super) fn moved(
+    pub(super) fn displace(
         &self,
         x: &[DVec3],
         motions: &[Motion],

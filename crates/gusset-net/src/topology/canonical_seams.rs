@@ -69,7 +69,7 @@ impl RunSearch<'_> {
         let (steps, [mut before, mut after]) = best;
         let pair = self.pairs[k];
         for at in -before..=after {
-            if let Some(index) = self.moved(pair, steps, at).and_then(|pair| self.index(pair)) {
+            if let Some(index) = self.pair_after(pair, steps, at).and_then(|pair| self.index(pair)) {
                 self.seen[index] = USED;
             }
         }
@@ -77,7 +77,7 @@ impl RunSearch<'_> {
             after += self.glued_pairs_after(pair, steps, after, 1);
             before += self.glued_pairs_after(pair, steps, -before, -1);
         }
-        let [a, b] = self.moved(pair, steps, -before).unwrap_or(pair);
+        let [a, b] = self.pair_after(pair, steps, -before).unwrap_or(pair);
         let run = |node: u32, (row_step, column_step): Step| {
             let (i, j) = self.shape.place(node);
             Run { row: i as u32, column: j as u32, row_step: row_step as i32, column_step: column_step as i32 }
@@ -93,7 +93,7 @@ impl RunSearch<'_> {
         [-1, 1].map(|sense| {
             let mut count = 0;
             while let Some(index) =
-                self.moved(self.pairs[k], steps, sense * (count + 1)).and_then(|pair| self.index(pair))
+                self.pair_after(self.pairs[k], steps, sense * (count + 1)).and_then(|pair| self.index(pair))
                 && self.seen[index] != USED
                 && self.seen[index] != self.trial
             {
@@ -110,7 +110,7 @@ impl RunSearch<'_> {
             let ([p, q], [r, s]) = ([a, b].map(|n| self.table[n as usize]), [a, b].map(|n| self.pieces[n as usize]));
             p == q && r != s
         };
-        let at = |count: i64| self.moved(pair, steps, end + sense * count);
+        let at = |count: i64| self.pair_after(pair, steps, end + sense * count);
         // Beyond the middle of a fold the same pairs follow, exchanged.
         let turned = |count: i64| at(count - 1).map(|[a, b]| [b, a]);
         (1..).take_while(|&count| at(count).filter(is_glued).is_some_and(|pair| Some(pair) != turned(count))).count()
@@ -118,7 +118,7 @@ impl RunSearch<'_> {
     }
 
     /// The pair `count` steps from a pair.
-    fn moved(&self, pair: [u32; 2], steps: [Step; 2], count: i64) -> Option<[u32; 2]> {
+    fn pair_after(&self, pair: [u32; 2], steps: [Step; 2], count: i64) -> Option<[u32; 2]> {
         let node = |k: usize| {
             let (i, j) = self.shape.place(pair[k]);
             let (i, j) = (i as i64 + count * steps[k].0, j as i64 + count * steps[k].1);

@@ -95,7 +95,7 @@ impl Gluing {
             }
             Gluing::CellDiagonal { cell, diagonal } => {
                 let (i, j) = shape.checked_cell_place(cell)?;
-                let corner = Run::at;
+                let corner = Run::stationary;
                 seam(match diagonal {
                     CellDiagonal::Falling => Seam { a: corner(i, j), b: corner(i + 1, j + 1), count: 1 },
                     CellDiagonal::Rising => Seam { a: corner(i, j + 1), b: corner(i + 1, j), count: 1 },

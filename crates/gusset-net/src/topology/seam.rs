@@ -24,7 +24,7 @@ pub struct Run {
 
 impl Run {
     /// A run that stays at node (i, j).
-    pub fn at(i: usize, j: usize) -> Self {
+    pub fn stationary(i: usize, j: usize) -> Self {
         Run::along_row(i as u32, j as u32, 0)
     }
 

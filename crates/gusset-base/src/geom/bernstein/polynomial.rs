@@ -90,7 +90,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn values_products_and_halves() {
+    fn values_products_and_halves_agree_with_closed_forms() {
         // t (1 - t) and 1 - 2 t.
         let (f, g) = ([0.0, 0.5, 0.0], [1.0, -1.0]);
         assert_eq!(integral(&f), 1.0 / 6.0);

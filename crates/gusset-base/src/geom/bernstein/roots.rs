@@ -319,7 +319,7 @@ mod tests {
     const NOISE: f64 = 1e-14;
 
     #[test]
-    fn known_roots() {
+    fn known_roots_are_found() {
         for (given, expected, error) in [
             (&[0.5][..], &[0.5][..], 1e-16),
             (&[0.25, 0.75], &[0.25, 0.75], 1e-15),

@@ -278,7 +278,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn roots_to_the_last_bits() {
+    fn roots_are_found_to_the_last_bits() {
         for (at, power) in [(0.3, 1), (0.9, 3), (0.123_456, 5)] {
             let f = |t: f64| (t - at) * (1.0 + t).powi(power);
             assert!((root(f, (0.0, f(0.0)), (1.0, f(1.0))) - at).abs() <= 4e-16);
@@ -286,7 +286,7 @@ mod tests {
     }
 
     #[test]
-    fn basis_functions() {
+    fn basis_functions_are_exact() {
         let mut basis = [0.0; 21];
         for t in [0.0, 0.1, 0.5, 0.97, 1.0] {
             bernstein::basis(&mut basis, t);
