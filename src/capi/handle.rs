@@ -124,8 +124,8 @@ macro_rules! handle {
 }
 pub(crate) use handle;
 
-/// The FNV-1a hash (G. Fowler, L. C. Noll and K.-P. Vo), which is distinct for the names of all
-/// kinds.
+/// Returns the FNV-1a hash (G. Fowler, L. C. Noll and K.-P. Vo), which is distinct for the names of
+/// all kinds.
 pub(crate) const fn kind(name: &str) -> u64 {
     let (mut hash, mut i) = (0xcbf2_9ce4_8422_2325_u64, 0);
     while i < name.len() {

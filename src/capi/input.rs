@@ -167,10 +167,10 @@ pub(crate) trait Choice: Sized {
     /// The field or parameter that takes the constants.
     const NAME: &'static str;
 
-    /// The variant of a constant.
+    /// Returns the variant of a constant.
     fn from_constant(value: u32) -> Option<Self>;
 
-    /// The constant of a variant.
+    /// Returns the constant of a variant.
     fn number(self) -> u32;
 }
 
@@ -179,7 +179,7 @@ pub(crate) fn choice<T: Choice>(value: u32) -> Result<T, Failure> {
     T::from_constant(value).ok_or_else(|| Failure::unknown(T::NAME, value.into()))
 }
 
-/// The pointer to lend for a list: its first element, or NULL if it is empty.
+/// Returns the pointer to lend for a list: its first element, or NULL if it is empty.
 pub(crate) fn lent<T>(list: &[T]) -> *const T {
     if list.is_empty() { ptr::null() } else { list.as_ptr() }
 }
@@ -229,7 +229,7 @@ pub(crate) unsafe trait Versioned: Copy {
     /// The size of the first published version.
     const MIN_SIZE: usize;
 
-    /// The field `reserved`, if the struct has one and is read.
+    /// Returns the field `reserved`, if the struct has one and is read.
     fn reserved(&self) -> u32 {
         0
     }
@@ -320,7 +320,7 @@ impl<T: Versioned> Output<T> {
     }
 }
 
-/// The size that the caller's struct declares.
+/// Returns the size that the caller's struct declares.
 fn struct_size<T: Versioned>(pointer: *const T, name: &'static str) -> Result<usize, Failure> {
     aligned(pointer, name)?;
     // SAFETY: aligned and not NULL, and every version begins with the size.

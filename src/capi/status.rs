@@ -241,7 +241,7 @@ impl Failure {
         Failure { input, ..self }
     }
 
-    /// A failure with an element at fault.
+    /// Returns a failure with an element at fault.
     fn with_element(
         status: gusset_status,
         element: gusset_element,
@@ -252,7 +252,7 @@ impl Failure {
     }
 }
 
-/// The constant of C for an element.
+/// Returns the constant of C for an element.
 fn code_of(element: Element) -> gusset_element {
     match element {
         Element::Vertex => GUSSET_ELEMENT_VERTEX,

@@ -415,7 +415,7 @@ impl Error {
         if count <= limit { Ok(()) } else { Err(Error::TooLarge { what, count, limit }) }
     }
 
-    /// The piece that the error concerns, if it concerns one of two pieces.
+    /// Returns the piece that the error concerns, if it concerns one of two pieces.
     pub fn side(&self) -> Option<Side> {
         match *self {
             Error::NotFinite { element: Element::LoopPoint(side), .. }

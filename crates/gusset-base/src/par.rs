@@ -135,7 +135,7 @@ fn share_jobs(
     reported
 }
 
-/// A slot for each of `count` results.
+/// Returns a slot for each of `count` results.
 fn empty<R>(count: usize) -> Result<Mutex<Vec<Option<R>>>> {
     Ok(Mutex::new(alloc::collect((0..count).map(|_| None))?))
 }

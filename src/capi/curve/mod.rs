@@ -176,7 +176,7 @@ pub unsafe extern "C" fn gusset_curve_get_view(
     })
 }
 
-/// The product of two counts; `what` names the buffer in the error.
+/// Returns the product of two counts; `what` names the buffer in the error.
 pub(crate) fn times(count: usize, each: usize, what: &'static str) -> Result<usize, Failure> {
     let product = count.checked_mul(each);
     product

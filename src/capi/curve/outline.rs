@@ -73,7 +73,7 @@ pub struct gusset_outline(pub(crate) Fit);
 handle! { gusset_outline }
 
 impl gusset_outline {
-    /// The curve of outline `index`.
+    /// Returns the curve of outline `index`.
     pub(crate) fn curve(&self, index: usize) -> Result<CurveView<'_>, Failure> {
         if index < self.0.len() { Ok(self.0.curve(index)) } else { Err(Failure::no_such("outline", index)) }
     }
@@ -348,7 +348,7 @@ pub unsafe extern "C" fn gusset_outlines_find_sections(
     })
 }
 
-/// The caller's buffer for `each` numbers a point; `None` if it is NULL.
+/// Returns the caller's buffer for `each` numbers a point; `None` if it is NULL.
 fn room<'a, T: bytemuck::Pod>(
     out: *mut T,
     (count, each): (usize, usize),

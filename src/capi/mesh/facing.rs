@@ -74,7 +74,7 @@ impl gusset_facing_options {
     }
 }
 
-/// The first place of a run, and its number of vertices.
+/// Returns the first place of a run, and its number of vertices.
 fn pair(arc: &Arc) -> [u32; 2] {
     [arc.first as u32, arc.count as u32]
 }

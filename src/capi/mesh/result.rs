@@ -46,7 +46,7 @@ pub(crate) enum Made {
 }
 
 impl Made {
-    /// The C function that made the result.
+    /// Returns the C function that made the result.
     fn operation(&self) -> &'static str {
         match self {
             Made::Join(_) => "gusset_join",
@@ -62,7 +62,7 @@ impl Made {
         }
     }
 
-    /// The failure if the report belongs to another operation.
+    /// Returns the failure if the report belongs to another operation.
     pub(crate) fn wrong_operation(&self, operation: &str) -> Failure {
         let message = format!("the result was made by {}, not by {operation}", self.operation());
         Failure::new(GUSSET_ERROR_WRONG_HANDLE, message)

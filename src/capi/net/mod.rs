@@ -110,13 +110,13 @@ impl Layout {
         Err(Error::StrideTooSmall { stride: stride as u64, min: least as u64 }.into())
     }
 
-    /// The offset of number (i, j).
+    /// Returns the offset of number (i, j).
     fn at(&self, i: usize, j: usize) -> usize {
         i * self.row + j * self.column
     }
 }
 
-/// Rows of a net copied between two progress reports.
+/// Returns the number of rows of a net to copy between two progress reports.
 fn rows_per_report(shape: Shape) -> usize {
     ((1 << 17) / shape.columns()).max(1)
 }

@@ -24,12 +24,12 @@ impl gusset_net {
         gusset_net(Arc::new(net))
     }
 
-    /// The net, for reading.
+    /// Returns the net, for reading.
     pub(crate) fn net(&self) -> &Net<'static> {
         &self.0
     }
 
-    /// The net, for changes. A scene or a copy that shares it keeps the old state.
+    /// Returns the net, for changes. A scene or a copy that shares it keeps the old state.
     pub(crate) fn edit(&mut self, job: &Job<'_>) -> Result<&mut Net<'static>, Failure> {
         let own = if Arc::get_mut(&mut self.0).is_none() { Some(Arc::new(self.0.copied()?)) } else { None };
         job.memory()?;
@@ -39,7 +39,7 @@ impl gusset_net {
         Ok(Arc::get_mut(&mut self.0).expect("a new Arc has one owner"))
     }
 
-    /// The current net, to be shared. A net in the host's memory is copied.
+    /// Returns the current net, to be shared. A net in the host's memory is copied.
     pub(crate) fn share(&self) -> Result<Arc<Net<'static>>, Failure> {
         if self.0.coordinates().is_borrowed() { Ok(Arc::new(self.0.copied()?)) } else { Ok(self.0.clone()) }
     }
@@ -50,12 +50,12 @@ impl gusset_net {
     }
 }
 
-/// The net of a handle, for reading.
+/// Returns the net of a handle, for reading.
 pub(crate) fn read<'a>(net: *const gusset_net) -> Result<&'a Net<'static>, Failure> {
     Ok(handle::get(net, "net")?.net())
 }
 
-/// The net of a handle, for changes.
+/// Returns the net of a handle, for changes.
 pub(crate) fn edit<'a>(net: *mut gusset_net, job: &Job<'_>) -> Result<&'a mut Net<'static>, Failure> {
     handle::get_mut(net, "net")?.edit(job)
 }

@@ -10,7 +10,7 @@ use crate::net::normals::normals_into;
 use crate::net::{Coordinates, Net, Planes, Real, each};
 use std::ffi::c_void;
 
-/// The caller's buffers as matrices of the net's size.
+/// Returns the caller's buffers as matrices of the net's size.
 fn planes<T: Real>(net: &Net<'_>, buffers: [*mut c_void; 3], capacity: usize) -> Result<Planes<'static, T>, Failure> {
     let count = net.shape().node_count();
     if capacity < count {

@@ -114,7 +114,7 @@ impl gusset_reference_task {
         })
     }
 
-    /// The object from which distances are measured; `None` for angles.
+    /// Returns the object from which distances are measured; `None` for angles.
     fn figure(&self) -> Result<Option<Figure<'_>>, Failure> {
         let (point, direction) = (DVec3::from_array(self.point), DVec3::from_array(self.direction));
         Ok(Some(match self.object {

@@ -21,7 +21,7 @@ use std::ffi::c_void;
 pub(super) static ATTRIBUTES: gusset_plugin_attributes =
     gusset_plugin_attributes { struct_size: size_of::<gusset_plugin_attributes>(), has_origins, origins, apply };
 
-/// The origins of output `index`.
+/// Returns the origins of output `index`.
 fn output_origins(held: &Held, index: u32) -> Result<&Origins, Failure> {
     match held {
         Held::Mesh(_, Some(origins)) => Ok(origins),

@@ -110,7 +110,7 @@ pub(super) fn wants_origins(host: *const gusset_host) -> Result<bool, Failure> {
     }
 }
 
-/// The host's number of threads, and its callbacks.
+/// Returns the host's number of threads, and its callbacks.
 pub(super) fn host(host: *const gusset_host) -> Result<(usize, Callbacks), Failure> {
     let gusset_host { user, progress, log, threads, .. } = input::read(host, true, "host")?;
     Ok((threads as usize, Callbacks { progress, progress_user: user, log, log_user: user }))

@@ -77,7 +77,7 @@ pub(super) unsafe extern "C" fn text(outputs: *const gusset_outputs, index: u32)
     }
 }
 
-/// The values of output `index`; empty unless it is a text.
+/// Returns the values of output `index`; empty unless it is a text.
 fn values<'a>(outputs: *const gusset_outputs, index: u32) -> &'a [(CString, f64)] {
     match held(outputs, index) {
         Ok(Held::Text(_, values)) => values,
@@ -102,7 +102,7 @@ pub(super) unsafe extern "C" fn failure(outputs: *const gusset_outputs, failure:
     status as i32
 }
 
-/// The failure that the host receives, or the absence of one.
+/// Returns the failure that the host receives, or the absence of one.
 pub(super) fn report(fault: Option<&Fault>, message: &CStr) -> gusset_failure {
     let mut report = gusset_failure {
         struct_size: 0,

@@ -169,7 +169,7 @@ fixed! { gusset_surface_place: 32, gusset_surface_contact: 88, gusset_surface_sh
 c_enum! { kind: ContactKind { GUSSET_CONTACT_POINT => Point, GUSSET_CONTACT_CROSSING => Crossing } }
 
 impl gusset_surface_sheet {
-    /// The views of a surface's sheets.
+    /// Returns the views of a surface's sheets.
     pub(crate) fn all(surface: &Surface<'_>) -> Result<Vec<Self>, Error> {
         let (mut first_cell, mut first_node) = (0, 0);
         alloc::collect((0..surface.len()).map(|k| {
@@ -198,7 +198,7 @@ impl From<Contact> for gusset_surface_contact {
     }
 }
 
-/// The surface of a handle.
+/// Returns the surface of a handle.
 pub(crate) fn read<'a>(surface: *const gusset_surface) -> Result<&'a Surface<'static>, Failure> {
     Ok(&handle::get(surface, "surface")?.0)
 }

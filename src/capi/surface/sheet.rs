@@ -114,7 +114,7 @@ impl Layout {
     }
 }
 
-/// The sheet of a handle.
+/// Returns the sheet of a handle.
 pub(crate) fn read<'a>(sheet: *const gusset_sheet) -> Result<&'a Sheet<'static>, Failure> {
     Ok(&handle::get(sheet, "sheet")?.0)
 }
@@ -161,7 +161,7 @@ fn borrowed_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failure> {
 
 c_enum! { scheme: Scheme { GUSSET_SCHEME_SIX_TAP => SixTap, GUSSET_SCHEME_FOUR_POINT => FourPoint } }
 
-/// The bicubic Hermite surface through nodes with the caller's tangents.
+/// Returns the bicubic Hermite surface through nodes with the caller's tangents.
 fn with_tangents(
     nodes: &Nodes<'_>,
     closed: [bool; 2],

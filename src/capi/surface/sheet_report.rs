@@ -134,7 +134,7 @@ pub struct gusset_cell_arrays {
 
 versioned! { gusset_sheet_measures: 40, gusset_cell_arrays: 56 }
 
-/// The caller's buffer for a number a cell; `None` if it is omitted.
+/// Returns the caller's buffer for a number a cell; `None` if it is omitted.
 fn buffer<'a>(
     pointer: *mut f64,
     needed: usize,

@@ -15,7 +15,7 @@ use glam::DVec3;
 /// The sine of the largest angle by which an outline may leave its plane.
 const MAX_PLANE_SINE: f64 = 1e-9;
 
-/// The unit normal of the plane of a subcurve; `None` if the subcurve is not plane.
+/// Returns the unit normal of the plane of a subcurve; `None` if the subcurve is not plane.
 pub(super) fn plane_normal(sub: &Subcurve<'_>) -> Option<DVec3> {
     if sub.points.iter().all(|p| p.z == 0.0) {
         return Some(DVec3::Z);
@@ -42,8 +42,8 @@ pub(super) fn plane_normal(sub: &Subcurve<'_>) -> Option<DVec3> {
     sub.points.iter().all(|&p| normal.dot(p - origin).abs() <= MAX_PLANE_SINE * sub.size).then_some(normal)
 }
 
-/// The direction of the guide of a triangle in a plane, from the foot to the point. The corners `u`
-/// and `w` precede and follow the point.
+/// Returns the direction of the guide of a triangle in a plane, from the foot to the point. The
+/// corners `u` and `w` precede and follow the point.
 ///
 /// The bisector is also perpendicular to the difference of the legs' directions, which is more
 /// accurate if the triangle is flat.

@@ -125,13 +125,13 @@ impl Tangents {
         &self.components[k][..self.count]
     }
 
-    /// The derivative at a parameter, and its derivative.
+    /// Returns the derivative at a parameter, and its derivative.
     fn derivatives_at(&self, t: f64) -> [DVec3; 2] {
         let [x, y, z] = [0, 1, 2].map(|k| value_and_slope(self.component(k), t));
         [DVec3::new(x.0, y.0, z.0), DVec3::new(x.1, y.1, z.1)]
     }
 
-    /// The roots of the equation, or of its square, which include all solutions.
+    /// Returns the roots of the equation, or of its square, which include all solutions.
     fn candidates(&self, sought: Sought) -> Roots {
         let [along, u, v] = [0, 1, 2].map(|k| self.component(k));
         match sought {
@@ -152,7 +152,7 @@ impl Tangents {
         }
     }
 
-    /// The solution near a candidate, if the tangent makes the angle there.
+    /// Returns the solution near a candidate, if the tangent makes the angle there.
     fn confirm(&self, sought: Sought, t: f64, angle: f64) -> Option<f64> {
         let [tangent, _] = self.derivatives_at(t);
         if tangent.length() <= MIN_SPEED {

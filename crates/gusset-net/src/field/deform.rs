@@ -66,7 +66,7 @@ fn check<T: Real>(steps: &[Step<'_>], first: usize, rows: &[&mut [T]; 3]) -> Res
     undefined.map_or(Ok(()), |k| Err(Error::FieldUndefined { node: (first + k) as u32 }))
 }
 
-/// The nodes of a chunk, in double precision, after all fields.
+/// Returns the nodes of a chunk, in double precision, after all fields.
 fn map_nodes<'a, T: Real>(steps: &[Step<'_>], rows: &[&mut [T]; 3], scratch: &'a mut [[f64; CHUNK]; 3]) -> Points<'a> {
     let count = rows[0].len();
     let [x, y, z] = scratch;

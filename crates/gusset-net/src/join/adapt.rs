@@ -93,7 +93,7 @@ pub(super) fn restore_net(
 }
 
 impl Adaptation {
-    /// The topology that the net was joined with.
+    /// Returns the topology that the net was joined with.
     fn adapted_topology(&self, direction: Direction) -> Result<Topology> {
         self.topology.map_lines(direction.transposed(), |topology| {
             let flipped = if self.flipped { topology.flipped_rows()? } else { topology.clone() };
@@ -105,7 +105,7 @@ impl Adaptation {
     }
 }
 
-/// The net rotated by `twist` places along its closed side.
+/// Returns the net rotated by `twist` places along its closed side.
 fn rotate_net(net: &Net<'_>, direction: Direction, twist: u32, job: &Job<'_>) -> Result<Net<'static>> {
     let (axis, shape) = (direction.transposed(), net.shape());
     let (count, along) = axis.extent(shape);
@@ -141,7 +141,7 @@ fn check_closed<T: Real>(planes: &Planes<'_, T>, axis: Direction) -> Result<()> 
     Ok(())
 }
 
-/// The topology of a net with closed columns whose row `by` becomes the first.
+/// Returns the topology of a net with closed columns whose row `by` becomes the first.
 fn rotate_rows(topology: &Topology, by: usize) -> Result<Topology> {
     let shape = topology.shape();
     let around = shape.rows() - 1;

@@ -103,7 +103,7 @@ pub(crate) fn join_mirrored(
     Ok(net)
 }
 
-/// The shape of nets joined along sides of `along` nodes.
+/// Returns the shape of nets joined along sides of `along` nodes.
 fn joined_shape(nets: &[&Net<'_>], options: &JoinOptions, along: usize) -> Result<Shape> {
     let inner = (options.rows as usize).saturating_mul(nets.len() - 1);
     let across = nets.iter().map(|net| options.direction.extent(net.shape()).0).fold(inner, usize::saturating_add);
@@ -207,7 +207,7 @@ impl Net<'_> {
 }
 
 impl Bridge {
-    /// The link across it at place `k` of the side.
+    /// Returns the link across it at place `k` of the side.
     fn link(&self, shape: Shape, k: usize) -> u32 {
         self.direction.link_across(shape, self.at as usize - 1, k)
     }

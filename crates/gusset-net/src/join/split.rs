@@ -60,8 +60,8 @@ impl Net<'_> {
     }
 }
 
-/// The nets before, between and after bridges, which are removed with their inner rows. `removed`
-/// is in order.
+/// Returns the nets before, between and after bridges, which are removed with their inner rows.
+/// `removed` is in order.
 fn cut(net: &Net<'_>, direction: Direction, removed: &[usize], job: &Job<'_>) -> Result<Vec<Net<'static>>> {
     let count = direction.extent(net.shape()).0;
     let cuts = removed.iter().map(|&index| &net.bridges()[index]);
@@ -111,7 +111,7 @@ fn find_crossed_ranges(topology: &Topology, direction: Direction, ranges: &[Rang
     Ok(crossed)
 }
 
-/// Each range's bridges, in order.
+/// Returns each range's bridges, in order.
 fn bridges_cut(
     net: &Net<'_>,
     direction: Direction,

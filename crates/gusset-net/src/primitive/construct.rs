@@ -12,7 +12,7 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_mesh::Scalar;
 
-/// The net of a shape with valid dimensions.
+/// Returns the net of a shape with valid dimensions.
 pub(super) fn net(primitive: &Primitive<'_>, shape: Shape, scalar: Scalar, job: &Job<'_>) -> Result<Net<'static>> {
     let (h, w) = (shape.rows(), shape.columns());
     let turn = |profile: &[Point], section: &[Point]| sweep(shape, profile, section, scalar, job);
@@ -69,30 +69,30 @@ pub(super) fn net(primitive: &Primitive<'_>, shape: Shape, scalar: Scalar, job: 
     }
 }
 
-/// The node in the first column of the class of a node of a Möbius strip or a Klein bottle.
+/// Returns the node in the first column of the class of a node of a Möbius strip or a Klein bottle.
 fn first_column(shape: Shape, i: usize, j: usize) -> (usize, usize) {
     if j + 1 == shape.columns() { (shape.rows() - 1 - i, 0) } else { (i, j) }
 }
 
-/// The node in the first row or column of the class of a node of a projective plane.
+/// Returns the node in the first row or column of the class of a node of a projective plane.
 fn half_rim(shape: Shape, i: usize, j: usize) -> (usize, usize) {
     let (h, w) = (shape.rows(), shape.columns());
     let second = i + 1 == h || (j + 1 == w && i > 0);
     if second { (h - 1 - i, w - 1 - j) } else { (i, j) }
 }
 
-/// The profile of a tube.
+/// Returns the profile of a tube.
 fn tube_profile(radius: f64, height: f64) -> [Point; 2] {
     [[radius, -height / 2.0], [radius, height / 2.0]]
 }
 
-/// The profile of a cylinder.
+/// Returns the profile of a cylinder.
 fn cylinder_profile(radius: f64, height: f64) -> [Point; 4] {
     let [low, high] = tube_profile(radius, height);
     [[0.0, low[1]], low, high, [0.0, high[1]]]
 }
 
-/// The profile of a cone.
+/// Returns the profile of a cone.
 fn cone_profile(radius: f64, height: f64) -> [Point; 3] {
     let [low, high] = tube_profile(radius, height);
     [[0.0, low[1]], low, [0.0, high[1]]]
@@ -131,8 +131,8 @@ fn swept_topology(shape: Shape, profile: &[Point]) -> Result<Topology> {
     Ok(topology.with_reversed(closed && volume(profile) < 0.0))
 }
 
-/// The volume that the profile encloses, up to a positive factor: truncated cones, signed by their
-/// heights.
+/// Returns the volume that the profile encloses, up to a positive factor: truncated cones, signed
+/// by their heights.
 fn volume(profile: &[Point]) -> f64 {
     // Scaled, so that products stay in range.
     let scale = profile.iter().flatten().fold(f64::MIN_POSITIVE, |max, value| max.max(value.abs()));
@@ -146,7 +146,7 @@ fn volume(profile: &[Point]) -> f64 {
 /// Nodes between two progress reports.
 const NODES_PER_REPORT: usize = 1 << 16;
 
-/// The net whose row i is written by `row` to three buffers. Zeros are positive.
+/// Returns the net whose row i is written by `row` to three buffers. Zeros are positive.
 fn rows(
     topology: Topology,
     scalar: Scalar,
@@ -167,7 +167,7 @@ fn rows(
     Ok(Net::new(coordinates, topology))
 }
 
-/// The net whose nodes are given by `node`.
+/// Returns the net whose nodes are given by `node`.
 fn nodes(
     topology: Topology,
     scalar: Scalar,

@@ -58,8 +58,8 @@ pub fn decimate(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Decimate
     })
 }
 
-/// The largest distance of nodes in a gap, between two kept lines, from the segments across it.
-/// `node(k, j)`: node j of line k.
+/// Returns the largest distance of nodes in a gap, between two kept lines, from the segments across
+/// it. `node(k, j)`: node j of line k.
 fn deviation(node: impl Fn(usize, usize) -> DVec3, gap: Range<usize>, places: &[usize]) -> f64 {
     let mut max = 0.0f64;
     for &j in places {
@@ -78,7 +78,7 @@ fn deviation(node: impl Fn(usize, usize) -> DVec3, gap: Range<usize>, places: &[
     max.sqrt()
 }
 
-/// The squared distance of a point from a segment.
+/// Returns the squared distance of a point from a segment.
 fn squared_distance(point: DVec3, a: DVec3, b: DVec3) -> f64 {
     let (along, to) = (b - a, point - a);
     let square = along.length_squared();
@@ -86,7 +86,7 @@ fn squared_distance(point: DVec3, a: DVec3, b: DVec3) -> f64 {
     (to - t * along).length_squared()
 }
 
-/// The kept lines of `count`, and the largest cost of the removed ones.
+/// Returns the kept lines of `count`, and the largest cost of the removed ones.
 fn choose_kept_lines(
     count: usize,
     min_lines: usize,

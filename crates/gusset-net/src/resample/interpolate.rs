@@ -88,7 +88,7 @@ pub fn pyramid(net: &Net<'_>, interpolation: Interpolation, job: &Job<'_>) -> Re
     Ok(levels)
 }
 
-/// The taps of `new` nodes evenly spaced over `old` ones, along one direction.
+/// Returns the taps of `new` nodes evenly spaced over `old` ones, along one direction.
 fn taps(old: usize, new: usize, closed: bool, interpolation: Interpolation) -> Result<Vec<Tap>> {
     alloc::collect((0..new).map(|k| {
         // k (old - 1) / (new - 1), exactly.
@@ -112,8 +112,8 @@ struct Tap {
 }
 
 impl Tap {
-    /// The Catmull-Rom spline between nodes `k` and `k + 1` of `count`. An open end is extrapolated
-    /// linearly: the missing node is twice the last minus the previous one.
+    /// Returns the Catmull-Rom spline between nodes `k` and `k + 1` of `count`. An open end is
+    /// extrapolated linearly: the missing node is twice the last minus the previous one.
     fn cubic(k: usize, count: usize, closed: bool, t: f64) -> Self {
         let (s, square) = (1.0 - t, t * t);
         let mut weights =
@@ -132,12 +132,12 @@ impl Tap {
         Tap { nodes: [before, k, k + 1, after], weights }
     }
 
-    /// The nodes with non-zero weights. A weight of 0 would still spread missing nodes.
+    /// Returns the nodes with non-zero weights. A weight of 0 would still spread missing nodes.
     fn parts(&self) -> impl Iterator<Item = (usize, f64)> {
         self.nodes.into_iter().zip(self.weights).filter(|&(_, weight)| weight != 0.0)
     }
 
-    /// The node of weight 1, if all other weights are 0.
+    /// Returns the node of weight 1, if all other weights are 0.
     fn single(&self) -> Option<usize> {
         let mut parts = self.parts();
         let (node, weight) = parts.next()?;
@@ -155,7 +155,7 @@ impl Tap {
         }
     }
 
-    /// The weighted sum of numbers of a row.
+    /// Returns the weighted sum of numbers of a row.
     fn blend_line(&self, line: &[f64]) -> f64 {
         let sum = || self.parts().map(|(j, weight)| weight * line[j]).sum();
         self.single().map_or_else(sum, |j| line[j])

@@ -22,7 +22,7 @@ struct Lever {
     inertia: f64,
 }
 
-/// The share of one body in a term: its coefficient c, and A, the sum of c_j x_j.
+/// Returns the share of one body in a term: its coefficient c, and A, the sum of c_j x_j.
 fn share(model: &Model, term: &Term, x: &[DVec3], body: u32) -> (f64, DVec3) {
     let mut share = (0.0, DVec3::ZERO);
     for (&point, &c) in term.points.iter().zip(&term.factors) {

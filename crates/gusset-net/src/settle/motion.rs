@@ -23,7 +23,8 @@ impl Motion {
         Motion { rotation: (rotation * self.rotation).normalize(), translation }
     }
 
-    /// The motion that best maps points to other points, by least squares: B. K. P. Horn (1987).
+    /// Returns the motion that best maps points to other points, by least squares: B. K. P. Horn
+    /// (1987).
     pub(super) fn fit(pairs: impl Iterator<Item = [DVec3; 2]> + Clone) -> Motion {
         let (mut sums, mut count) = ([DVec3::ZERO; 2], 0.0);
         pairs.clone().for_each(|[p, q]| (sums, count) = ([sums[0] + p, sums[1] + q], count + 1.0));

@@ -17,7 +17,7 @@ use gusset_base::sort;
 /// Rows and columns from one node to the next.
 type Step = (i64, i64);
 
-/// The seams that glue the components of each class. `table` has the representatives of the
+/// Returns the seams that glue the components of each class. `table` has the representatives of the
 /// classes, `pieces` the representatives of the components under contracted links alone.
 pub(super) fn seams(shape: Shape, table: &[u32], pieces: &[u32]) -> Result<Vec<Seam>> {
     let nodes = (0..).zip(table).zip(pieces).filter(|&((node, &class), &piece)| piece == node && class != node);
@@ -57,7 +57,8 @@ struct RunSearch<'a> {
 }
 
 impl RunSearch<'_> {
-    /// The longest run through pair `k`, in the first of the directions that reach it, extended.
+    /// Returns the longest run through pair `k`, in the first of the directions that reach it,
+    /// extended.
     fn longest_through(&mut self, k: usize) -> Seam {
         let mut best = ([(0, 0); 2], [0, 0]);
         for steps in directions() {
@@ -85,8 +86,8 @@ impl RunSearch<'_> {
         Seam { a: run(a, steps[0]), b: run(b, steps[1]), count: (before + after + 1) as u32 }.canonical()
     }
 
-    /// The number of consecutive unused pairs before pair `k` and after it. A fold meets itself in
-    /// the middle.
+    /// Returns the number of consecutive unused pairs before pair `k` and after it. A fold meets
+    /// itself in the middle.
     fn free_pairs(&mut self, k: usize, steps: [Step; 2]) -> [i64; 2] {
         self.trial += 1;
         self.seen[k] = self.trial;
@@ -104,7 +105,8 @@ impl RunSearch<'_> {
         })
     }
 
-    /// The number of consecutive pairs beyond `end` that are identified, but not by links alone.
+    /// Returns the number of consecutive pairs beyond `end` that are identified, but not by links
+    /// alone.
     fn glued_pairs_after(&self, pair: [u32; 2], steps: [Step; 2], end: i64, sense: i64) -> i64 {
         let is_glued = |&[a, b]: &[u32; 2]| {
             let ([p, q], [r, s]) = ([a, b].map(|n| self.table[n as usize]), [a, b].map(|n| self.pieces[n as usize]));
@@ -117,7 +119,7 @@ impl RunSearch<'_> {
             as i64
     }
 
-    /// The pair `count` steps from a pair.
+    /// Returns the pair `count` steps from a pair.
     fn pair_after(&self, pair: [u32; 2], steps: [Step; 2], count: i64) -> Option<[u32; 2]> {
         let node = |k: usize| {
             let (i, j) = self.shape.place(pair[k]);

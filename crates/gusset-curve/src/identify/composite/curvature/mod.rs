@@ -116,7 +116,7 @@ pub(super) fn solve_by_curvatures(
     Ok(())
 }
 
-/// The joints between two segments.
+/// Returns the joints between two segments.
 fn inner_joints(sub: &Subcurve<'_>) -> Range<usize> {
     let n = sub.len();
     match (sub.closed, sub.tangents) {
@@ -174,8 +174,8 @@ impl CurvatureJoints {
         self.find_unknowns(sub);
     }
 
-    /// Sets the curvature to 0 at joints followed by an inflection or a straight part of the
-    /// current polygon. Returns false if there are none left.
+    /// Sets the curvature to 0 at joints followed by an inflection or a straight part of
+    /// the current polygon. Returns false if there are none left.
     fn flatten_inflections(&mut self, sub: &Subcurve<'_>) -> bool {
         let mut any = false;
         for i in inner_joints(sub) {
@@ -298,8 +298,8 @@ impl CurvatureJoints {
         Ok(all)
     }
 
-    /// The residuals of the equations of point `i`, in tolerances: the point, the lock and the
-    /// curvature.
+    /// Returns the residuals of the equations of point `i`, in tolerances: the point, the lock and
+    /// the curvature.
     fn residuals(&self, sub: &Subcurve<'_>, i: usize) -> [f64; 3] {
         let (values, known) = (&self.values[i], &self.known[i]);
         let rounding = 64.0 * f64::EPSILON * sub.size / known.spacing;
@@ -372,7 +372,7 @@ impl CurvatureJoints {
     }
 }
 
-/// The relative rounding error of E_i that the control points cause.
+/// Returns the relative rounding error of E_i that the control points cause.
 fn area_error(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> f64 {
     let [before, after] = legs(sub, nodes, i);
     f64::EPSILON * sub.size * (before.length() + after.length()) / before.cross(after).length()
