@@ -36,8 +36,8 @@ fn horner(controls: &[DVec3], t: f64) -> DVec3 {
     if point.is_finite() { point } else { scaled_sum(controls, t, 1.0 / MAX_BINOMIAL_SUM) * MAX_BINOMIAL_SUM }
 }
 
-/// Returns the sum of the terms times `unit`. A Horner-like scheme starts at the nearer end, so
-/// that powers do not underflow before the binomials scale them.
+/// Returns the sum of the terms times `unit` by a Horner-like scheme. It starts at the nearer end,
+/// so that the ratio x of its powers is at most 1.
 fn scaled_sum(controls: &[DVec3], t: f64, unit: f64) -> DVec3 {
     let n = controls.len() - 1;
     let backwards = t > 0.5;

@@ -19,9 +19,10 @@ use std::f64::consts::PI;
 const MIN_TURN: f64 = 0.7;
 /// The smallest ratio of a corner's turn to the median turn.
 const MIN_CONTRAST: f64 = 3.0;
-/// The smallest ratio of a corner's turn to its neighbours' turns. Above SHARP only one neighbour
-/// counts, because two edges of a deck may be adjacent points.
+/// The smallest ratio of a corner's turn to its neighbours' turns.
 const MIN_LEAD: f64 = 2.0;
+/// From this turn on only the smaller of the neighbours' turns counts, because two edges of a deck
+/// may be adjacent points.
 const MIN_SHARP_TURN: f64 = 1.2;
 /// A section with more corners than this is jagged and shares none of them.
 const MAX_SHARED: usize = 128;

@@ -8,8 +8,8 @@ pub const MAX_DEGREE: usize = 64;
 /// degree 2 n - 1.
 pub const MAX_COEFFICIENTS: usize = 2 * MAX_DEGREE;
 
-/// Evaluates f(t) and f'(t). The sum starts at the nearer end and follows a Horner-like scheme, so
-/// that powers do not underflow before the binomials scale them.
+/// Evaluates f(t) and f'(t) by a Horner-like scheme. It starts at the nearer end, so that the ratio
+/// x of its powers is at most 1 and the terms do not overflow.
 pub fn value_and_slope(c: &[f64], t: f64) -> (f64, f64) {
     let n = c.len() - 1;
     let backwards = t > 0.5;

@@ -51,10 +51,12 @@ const QUADRATIC: [f64; 2] = [2.0 / 3.0; 2];
 /// The number of iterations after which the worst equations are given up.
 const ITERATIONS_PER_ROUND: u32 = 12;
 
-/// The relative rounding error of E_i above which a section counts as straight if its curvature is
-/// below [`MIN_CURVATURE`], and above which it always counts as straight. If points are dense, all
-/// errors are large, and that alone does not make a section straight.
+/// The relative rounding error of E_i above which a section always counts as straight.
 const MAX_AREA_ERROR: f64 = 1e-2;
+
+/// The relative rounding error of E_i above which a section counts as straight if its curvature is
+/// below [`MIN_CURVATURE`]. Where points are dense all errors are large, so the error alone does
+/// not make a section straight.
 const MAX_STRAIGHT_AREA_ERROR: f64 = 1e-8;
 
 /// The smallest significant curvature, times the size of the outline.
