@@ -2,7 +2,7 @@
 //!
 //! `gusset` finds the free boundary loops of open polygon meshes and stitches them together: two
 //! open pieces become one closed, valid mesh. It also builds regular networks of quads, answers
-//! queries about smooth surfaces, and passes Bézier curves through given points.
+//! queries about smooth surfaces, and fits Bézier curves through given points.
 //!
 //! ```
 //! use gusset::mesh::{Faces, MeshView, Positions};

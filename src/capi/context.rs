@@ -1,7 +1,7 @@
 //! Contexts: Threads, progress, cancellation, log, and the report of the last error.
 
 use super::glue::versioned;
-use super::guard::caught;
+use super::guard::catch_panic;
 use super::handle::{self, Handle, handle};
 use super::host::{Callbacks, Host, Watch};
 use super::input::{self, Versioned};
@@ -93,7 +93,7 @@ impl State {
         let Err(failure) = outcome else { return gusset_status::GUSSET_OK };
         let Failure { status, message, element, index, value, input } = failure;
         let message = CString::new(message.into_owned()).unwrap_or_default();
-        // What a context keeps is not to be in the reserve.
+        // A context must not keep blocks in the reserve.
         let kept = !reserve::holds(message.as_ptr());
         self.message = if kept { Cow::Owned(message) } else { Cow::Borrowed(text(status as i32)) };
         self.report = gusset_error_report { status: status as i32, element, index, value, input, ..self.report };
@@ -101,8 +101,8 @@ impl State {
     }
 }
 
-/// Runs `body` with the context's job, or with the defaults if the context is NULL; records the
-/// outcome in the context. Without memory there is no success.
+/// Runs `body` with the context's job, or with the defaults if the context is NULL, and records the
+/// outcome in the context. A call that took memory from the reserve fails.
 pub(crate) fn guard(
     context: *const gusset_context,
     body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
@@ -110,16 +110,17 @@ pub(crate) fn guard(
     guard_change(context, |job| finished(body, job))
 }
 
-/// What `body` gives, unless memory was taken from the reserve for it or the host cancels.
+/// Returns the result of `body`, or an error if the reserve had to provide memory, or if the host
+/// cancels.
 fn finished<T>(body: impl FnOnce(&Job<'_>) -> Result<T, Failure>, job: &Job<'_>) -> Result<T, Failure> {
     let made = body(job)?;
     job.finish()?;
     Ok(made)
 }
 
-/// [`guard`] for a `body` that changes what the caller has, writes to its outputs, or makes
-/// handles: before that, it calls [`Job::finish`] itself, or [`Job::memory`] if it reports while it
-/// changes things.
+/// [`guard`] for a `body` that modifies the caller's data, writes to its outputs, or makes handles.
+/// Such changes cannot be undone, so `body` calls [`Job::finish`] itself before it makes them, or
+/// [`Job::memory`] if it reports while it makes them.
 pub(crate) fn guard_change(
     context: *const gusset_context,
     body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
@@ -128,9 +129,9 @@ pub(crate) fn guard_change(
     run_guarded(context, &mut |job| body.take().map_or(Ok(()), |body| body(job)))
 }
 
-/// Calls `body` once at most. It knows no type of bodies, so that each is compiled once.
+/// Calls `body` at most once. It is not generic over `body`, so that it is compiled only once.
 fn run_guarded(context: *const gusset_context, body: &mut dyn FnMut(&Job<'_>) -> Result<(), Failure>) -> gusset_status {
-    let outcome = caught(|| {
+    let outcome = catch_panic(|| {
         if context.is_null() {
             return body(&Job::default()).map(|()| gusset_status::GUSSET_OK);
         }
@@ -138,9 +139,9 @@ fn run_guarded(context: *const gusset_context, body: &mut dyn FnMut(&Job<'_>) ->
         let mut state = context.lock()?;
         let host = Host::new(&context.watch, state.callbacks);
         let job = Job::new(state.threads as usize, &host);
-        // Caught here too, so that the report says so.
-        let outcome = caught(|| {
-            // A cancel that came before the call holds for it, however short it is.
+        // Catch panics here too, so that the report mentions them.
+        let outcome = catch_panic(|| {
+            // A cancel before the call also cancels the call, even a short one.
             if context.watch.cancelled.load(Ordering::Relaxed) { Err(Error::Cancelled.into()) } else { body(&job) }
         });
         if outcome.is_ok() {
@@ -152,9 +153,8 @@ fn run_guarded(context: *const gusset_context, body: &mut dyn FnMut(&Job<'_>) ->
     outcome.unwrap_or_else(|failure: Failure| failure.status)
 }
 
-/// Runs `body` as [`guard`] does and gives its result to the host through `out`, which is `cleared`
-/// before anything else: whatever becomes of the context, the host finds that there after a
-/// failure.
+/// Runs `body` like [`guard`] and stores its result in `out`. It first sets `out` to `cleared`,
+/// which the host then finds there after any failure.
 pub(crate) fn answer<T>(
     context: *const gusset_context,
     (out, name): (*mut T, &'static str),
@@ -163,14 +163,14 @@ pub(crate) fn answer<T>(
 ) -> gusset_status {
     let slot = input::output(out, cleared, name);
     guard_change(context, |job| {
-        // First of all: there must be a place for the result.
+        // First of all, the result needs a place.
         let slot = slot?;
         *slot = finished(body, job)?;
         Ok(())
     })
 }
 
-/// [`answer`], to an output that may be NULL.
+/// [`answer`] with an output that may be NULL.
 pub(crate) fn answer_optional<T>(
     context: *const gusset_context,
     (out, name): (*mut T, &'static str),
@@ -185,7 +185,7 @@ pub(crate) fn answer_optional<T>(
     })
 }
 
-/// As [`answer`], with a struct that has a size.
+/// [`answer`] with a struct that has a `struct_size`.
 pub(crate) fn answer_struct<T: Versioned>(
     context: *const gusset_context,
     (out, name): (*mut T, &'static str),
@@ -199,7 +199,7 @@ pub(crate) fn answer_struct<T: Versioned>(
     })
 }
 
-/// As [`answer`], with a new handle.
+/// [`answer`] with a new handle.
 pub(crate) fn create<T: Handle>(
     context: *const gusset_context,
     out: *mut *mut T,
@@ -209,7 +209,7 @@ pub(crate) fn create<T: Handle>(
     create_and_tell(context, out, name, |job| Ok((body(job)?, ())), |()| ())
 }
 
-/// [`create`], of a body that makes something beside the handle, for `tell` to write to other
+/// [`create`] for a body that produces more than the handle. `tell` writes the rest to other
 /// outputs.
 pub(crate) fn create_and_tell<T: Handle, U>(
     context: *const gusset_context,
@@ -229,8 +229,8 @@ pub(crate) fn create_and_tell<T: Handle, U>(
     })
 }
 
-/// `lend!(handle, out, |it| struct)`: fills the caller's struct `out` from what `handle` points to;
-/// its body may use `?`.
+/// `lend!(handle, out, |it| struct)` fills the caller's struct `out` from the object of `handle`.
+/// The body may use `?`.
 macro_rules! lend {
     ($handle:ident, $out:ident, |$it:pat_param| $body:expr) => {
         $crate::capi::context::answer_struct(std::ptr::null(), ($out, stringify!($out)), |_| {

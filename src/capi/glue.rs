@@ -1,13 +1,13 @@
-//! Declarative glue: macros that write impls. Types, constants and functions stay written out, as
-//! cbindgen sees none that a macro makes.
+//! Macros that write trait implementations. Types, constants and functions are written out, because
+//! cbindgen does not expand macros.
 
-/// The structs of a file that begin with `size_t struct_size`, each with the size of its first
-/// version and `reserved` if it is read and has a field of that name, which must be 0 then. Layouts
-/// as a whole are held by the list of the binary interface.
+/// Declares the structs of a file that begin with `size_t struct_size`, each with the size of its
+/// first version. A struct with a field `reserved` that must be 0 says so. The list of the binary
+/// interface checks the whole layouts.
 macro_rules! versioned {
     ($($name:ident: $size:literal $($reserved:ident)?),* $(,)?) => {$(
-        // SAFETY: repr(C), all fields plain numbers and raw pointers, for which zeros are values;
-        // the size comes first, as asserted.
+        // SAFETY: repr(C), and all fields are plain numbers and raw pointers, for which zeros are
+        // valid. The size comes first, as asserted.
         unsafe impl $crate::capi::input::Versioned for $name {
             const MIN_SIZE: usize = if size_of::<usize>() == 8 { $size } else { size_of::<$name>() };
             $(fn reserved(&self) -> u32 { self.$reserved })?
@@ -17,15 +17,15 @@ macro_rules! versioned {
     )*};
 }
 
-/// The sizes of structs that lie in arrays, and can therefore never grow.
+/// Declares the sizes of structs that are used in arrays and can therefore never grow.
 macro_rules! fixed {
     ($($name:ident: $size:literal),* $(,)?) => {
         const _: () = assert!(size_of::<usize>() != 8 || ($(size_of::<$name>() == $size)&&*));
     };
 }
 
-/// The constants of C that stand for the variants of an enum of the core, with the name of the
-/// field or parameter that takes them.
+/// Maps the constants of C to the variants of an enum of the core, with the name of the field or
+/// parameter that takes them.
 macro_rules! c_enum {
     ($($name:ident: $enum:ty { $($constant:ident => $variant:ident),* $(,)? })*) => {$(
         impl $crate::capi::input::Choice for $enum {
@@ -47,8 +47,8 @@ macro_rules! c_enum {
     )*};
 }
 
-/// `laid_out_like! { A: B { x, y, ... } }`: A and B have these fields, all of them, at the same
-/// places.
+/// `laid_out_like! { A: B { x, y, ... } }` asserts that A and B have exactly these fields at equal
+/// offsets.
 macro_rules! laid_out_like {
     ($name:ident: $other:ty { $($field:ident),* $(,)? }) => {
         const _: () = assert!(

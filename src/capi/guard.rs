@@ -1,4 +1,4 @@
-//! What becomes of a panic.
+//! Panics: turns them into a status, and silences the panic hook during calls.
 
 use super::status::{Failure, gusset_status};
 use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind, set_hook, take_hook};
@@ -6,18 +6,19 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::panicking;
 
-/// What is told of a panic.
+/// A panic hook.
 type Hook = dyn Fn(&PanicHookInfo<'_>) + Send + Sync;
 
-/// Calls under way, in all threads: their own and those that they start may panic.
+/// The number of calls in progress, over all threads. A panic in these threads, or in threads that
+/// they start, must stay silent.
 static CALLS: AtomicUsize = AtomicUsize::new(0);
-/// What tells of panics outside of calls. The shared library has a standard library of its own,
-/// where there are none; a Rust program that links this crate has.
+/// The hook for panics outside calls. The shared library has its own copy of the standard library,
+/// where such panics do not occur. A Rust program that links this crate can have them.
 static OUTSIDE: OnceLock<Box<Hook>> = OnceLock::new();
 
-/// Lets panics in calls go untold; gives what told of them before. Neither box takes memory: that
-/// of the standard library has no state, nor has this one.
-fn silenced() -> Box<Hook> {
+/// Installs a hook that is silent during calls, and returns the previous hook. Neither box
+/// allocates: the standard library's hook and this one have no state.
+fn install_silent_hook() -> Box<Hook> {
     let outside = take_hook();
     set_hook(Box::new(|info| {
         if let (0, Some(outside)) = (CALLS.load(Ordering::Relaxed), OUTSIDE.get()) {
@@ -27,15 +28,15 @@ fn silenced() -> Box<Hook> {
     outside
 }
 
-/// A call under way.
+/// A call in progress.
 struct Call;
 
 impl Call {
     fn begin() -> Self {
         CALLS.fetch_add(1, Ordering::Relaxed);
-        // A host's thread that panics may not change what tells of it.
+        // A host's thread that is panicking must not change the hook.
         if !panicking() {
-            OUTSIDE.get_or_init(silenced);
+            OUTSIDE.get_or_init(install_silent_hook);
         }
         Call
     }
@@ -47,12 +48,12 @@ impl Drop for Call {
     }
 }
 
-/// Runs `body`, of which nothing unwinds into the host: a panic becomes `GUSSET_ERROR_PANIC`, and
-/// prints nothing.
-pub fn caught<T, E: From<Failure>>(body: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
+/// Runs `body` and catches panics, which must not unwind into the host. A panic becomes
+/// `GUSSET_ERROR_PANIC` and prints nothing.
+pub fn catch_panic<T, E: From<Failure>>(body: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
     let _call = Call::begin();
     catch_unwind(AssertUnwindSafe(body)).unwrap_or_else(|panic| {
-        // The payload's own destructor could panic; it is small and rare, so it is leaked.
+        // The payload's own destructor could panic. The payload is small and rare, so leak it.
         std::mem::forget(panic);
         Err(Failure::new(gusset_status::GUSSET_ERROR_PANIC, "internal error: please report it").into())
     })
@@ -69,15 +70,15 @@ mod tests {
     use std::process::Command;
     use std::{env, panic, ptr, thread};
 
-    /// Set in the process that panics: only another one can see what it prints.
+    /// Set in the process that panics, because only another process can see its output.
     const PLANTED: &str = "GUSSET_TEST_PLANTED_PANIC";
 
-    /// Panics within calls, in their threads and in those that they start, beside a handle made
-    /// before.
+    /// Panics within calls, in their threads and in threads that they start, next to an existing
+    /// handle.
     fn planted() {
         let (mut context, mut scene, mut group) = (ptr::null_mut::<gusset_context>(), ptr::null_mut(), 0);
-        // SAFETY: each handle comes from its `_create` function and goes to its `_destroy` function
-        // once.
+        // SAFETY: each handle comes from its `_create` function and is passed to its `_destroy`
+        // function once.
         unsafe {
             assert_eq!(gusset_context_create(&raw mut context), GUSSET_OK);
             assert_eq!(gusset_scene_create(context, &raw mut scene), GUSSET_OK);
@@ -104,7 +105,7 @@ mod tests {
     fn a_panic_is_a_status_and_prints_nothing() {
         if env::var_os(PLANTED).is_some() {
             planted();
-            // Between calls panics are told as ever.
+            // Between calls, panics are printed as usual.
             let _ = panic::catch_unwind(|| panic!("of the host"));
             return;
         }

@@ -1,7 +1,8 @@
-//! Handles: objects behind opaque pointers of C, each with the name of its kind before it, so that
-//! a pointer to another kind is a status and not a crash. What is no handle at all cannot be told.
+//! Handles: objects behind opaque pointers of C. The kind of the object precedes it, so that a
+//! pointer to another kind causes a status instead of a crash. A pointer that is not a handle at
+//! all cannot be detected.
 
-use super::guard::caught;
+use super::guard::catch_panic;
 use super::input::{self, aligned};
 use super::status::Failure;
 use super::status::gusset_status::GUSSET_ERROR_WRONG_HANDLE;
@@ -11,11 +12,11 @@ use std::ptr;
 pub(crate) trait Handle {
     /// Its name in C.
     const NAME: &'static str;
-    /// A number that no other kind has: what stands before the object.
+    /// A number that is unique to the kind, stored before the object.
     const KIND: u64;
 }
 
-/// An object with its kind before it, whose address is the handle.
+/// An object preceded by its kind. Its address is the handle.
 #[repr(C)]
 pub(crate) struct Tagged<T> {
     kind: u64,
@@ -23,8 +24,8 @@ pub(crate) struct Tagged<T> {
 }
 
 impl<T: Handle> Tagged<T> {
-    /// An object that is lent to C as a part of another, and goes with it: it can be read, and not
-    /// destroyed.
+    /// Creates an object that is lent to C as a part of another object and dies with it. C can read
+    /// but not destroy it.
     pub(crate) fn part(object: T) -> Self {
         Tagged { kind: !T::KIND, object }
     }
@@ -42,39 +43,39 @@ impl<T> std::ops::Deref for Tagged<T> {
     }
 }
 
-/// The object with its kind, in memory of its own.
+/// Allocates an object with its kind.
 pub(crate) fn boxed<T: Handle>(object: T) -> Box<Tagged<T>> {
     Box::new(Tagged { kind: T::KIND, object })
 }
 
-/// Gives the object to C, until [`destroy`] takes it back.
+/// Transfers the object to C, until [`destroy`] takes it back.
 pub(crate) fn give<T>(object: Box<Tagged<T>>) -> *mut T {
     Box::into_raw(object).cast()
 }
 
-/// Whether what begins here says that it is a T, of its own or `or_part`.
+/// Checks that the object is a T, either a handle of its own or, if `or_part`, a part of another.
 fn checked<T: Handle>(pointer: *const T, or_part: bool, name: &'static str) -> Result<*mut Tagged<T>, Failure> {
     let held = pointer.cast::<Tagged<T>>().cast_mut();
     aligned(held.cast_const(), name)?;
-    // SAFETY: not NULL and aligned; that it points to a live handle of the library is the caller's
-    // promise, and all handles begin with their kind.
+    // SAFETY: not NULL and aligned. The caller promises that it points to a live handle of the
+    // library, and all handles begin with their kind.
     let kind = unsafe { (&raw const (*held).kind).read() };
     if kind == T::KIND || or_part && kind == !T::KIND {
         Ok(held)
     } else {
-        Err(Failure::new(GUSSET_ERROR_WRONG_HANDLE, format!("{name} is no live {}", T::NAME)))
+        Err(Failure::new(GUSSET_ERROR_WRONG_HANDLE, format!("{name} is not a live {}", T::NAME)))
     }
 }
 
-/// The object of a handle.
+/// Returns the object of a handle.
 pub(crate) fn get<'a, T: Handle>(pointer: *const T, name: &'static str) -> Result<&'a T, Failure> {
     let held = checked(pointer, true, name)?;
-    // SAFETY: as there; a T begins with this kind, and lives while the call runs.
+    // SAFETY: as in `checked`. A T begins with this kind and lives during the call.
     Ok(unsafe { &(*held).object })
 }
 
-/// `count` handles of the caller's that stay as they are, in an array at any alignment; each
-/// failure with its number.
+/// Reads `count` handles in an array at any alignment, for reading their objects. A failure has the
+/// index of its handle.
 pub(crate) fn list<'a, T: Handle + 'a>(
     handles: *const *const T,
     count: usize,
@@ -82,27 +83,27 @@ pub(crate) fn list<'a, T: Handle + 'a>(
 ) -> Result<impl ExactSizeIterator<Item = Result<&'a T, Failure>>, Failure> {
     input::bytes(handles.cast(), count, size_of::<*const T>(), name)?;
     Ok((0..count).map(move |k| {
-        // SAFETY: within the bytes that were checked; any alignment will do.
-        get(unsafe { handles.add(k).read_unaligned() }, name).map_err(|failure| failure.of_item(k))
+        // SAFETY: within the checked bytes; any alignment is allowed.
+        get(unsafe { handles.add(k).read_unaligned() }, name).map_err(|failure| failure.with_item(k))
     }))
 }
 
-/// The object of a handle that the call changes.
+/// Returns the object of a handle that the call changes.
 pub(crate) fn get_mut<'a, T: Handle>(pointer: *mut T, name: &'static str) -> Result<&'a mut T, Failure> {
     let held = checked(pointer, false, name)?;
-    // SAFETY: as above; that nobody else uses it now is the caller's promise.
+    // SAFETY: as above; the caller promises exclusive use.
     Ok(unsafe { &mut (*held).object })
 }
 
-/// Frees what a `_create` function gave out; NULL is allowed, and handles of another kind, or lent
-/// as parts of others, are left alone.
+/// Frees the object of a handle from a `_create` function. Ignores NULL, handles of another kind,
+/// and parts of other objects.
 pub(crate) fn destroy<T: Handle>(handle: *mut T) {
-    // A destructor cannot fail; should one panic, the host must not see it.
-    let _ = caught(|| {
+    // A destructor cannot fail; if it panics, the host must not notice.
+    let _ = catch_panic(|| {
         if let Ok(held) = checked(handle, false, "handle") {
-            // SAFETY: it came from `give`, and the caller gives it up. The kind goes first,
-            // by a write that stays although the memory is freed: a second destroy finds it gone,
-            // as long as the memory is not used again.
+            // SAFETY: the object comes from `give`, and the caller gives it up. The kind is erased
+            // first, by a volatile write that survives although the memory is freed. A second
+            // destroy then finds no kind, as long as the memory is not reused.
             unsafe {
                 (&raw mut (*held).kind).write_volatile(0);
                 drop(Box::from_raw(held));
@@ -112,7 +113,7 @@ pub(crate) fn destroy<T: Handle>(handle: *mut T) {
     });
 }
 
-/// `handle! { gusset_thing }`: C knows this type as an opaque pointer.
+/// `handle! { gusset_thing }` declares a type that C knows as an opaque pointer.
 macro_rules! handle {
     ($name:ident) => {
         impl $crate::capi::handle::Handle for $name {
@@ -123,7 +124,8 @@ macro_rules! handle {
 }
 pub(crate) use handle;
 
-/// FNV-1a, G. Fowler, L. C. Noll and K.-P. Vo: of the names of all kinds no two are equal.
+/// Returns the FNV-1a hash (G. Fowler, L. C. Noll and K.-P. Vo), which is distinct for the names of
+/// all kinds.
 pub(crate) const fn kind(name: &str) -> u64 {
     let (mut hash, mut i) = (0xcbf2_9ce4_8422_2325_u64, 0);
     while i < name.len() {

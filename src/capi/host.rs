@@ -1,4 +1,4 @@
-//! A host as the core sees it.
+//! The host as the core sees it: progress, cancellation and notes.
 
 use crate::job::Progress;
 use std::cell::Cell;
@@ -6,7 +6,7 @@ use std::ffi::{CString, c_char, c_int, c_void};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-/// The functions that a host wants called, each with what it is handed.
+/// The callbacks of a host, each with its user pointer.
 #[derive(Clone, Copy)]
 pub(crate) struct Callbacks {
     pub(crate) progress: Option<unsafe extern "C" fn(*mut c_void, f64, *const c_char) -> c_int>,
@@ -15,34 +15,35 @@ pub(crate) struct Callbacks {
     pub(crate) log_user: *mut c_void,
 }
 
-/// What any thread may see of a call, and ask of it.
+/// The state of a call that any thread may read, and the request to cancel.
 #[derive(Default)]
 pub(crate) struct Watch {
-    /// Somebody asked to stop.
+    /// Whether a thread requested a cancel.
     pub(crate) cancelled: AtomicBool,
-    /// The greatest part that was reported: the bits of an f64.
+    /// The largest reported fraction, as the bits of an f64.
     fraction: AtomicU64,
 }
 
 impl Watch {
-    /// The greatest part that was reported.
+    /// Returns the largest reported fraction.
     pub(crate) fn fraction(&self) -> f64 {
         f64::from_bits(self.fraction.load(Ordering::Relaxed))
     }
 }
 
-/// The host of one call.
+/// The host during one call.
 pub(crate) struct Host<'a> {
     watch: &'a Watch,
     callbacks: Callbacks,
-    /// The callback asked to stop: this call is over, whatever it does next.
+    /// Whether the callback cancelled. The call then stays cancelled, whatever the callback returns
+    /// later.
     stopped: Cell<bool>,
     /// The stage of the last report; none before the first.
     stage: Cell<Option<&'static str>>,
 }
 
 impl<'a> Host<'a> {
-    /// The host of a call that begins.
+    /// Creates the host at the start of a call.
     pub(crate) fn new(watch: &'a Watch, callbacks: Callbacks) -> Self {
         watch.fraction.store(0, Ordering::Relaxed);
         Host { watch, callbacks, stopped: Cell::new(false), stage: Cell::new(None) }
@@ -57,12 +58,13 @@ impl Progress for Host<'_> {
         if let Some(callback) = self.callbacks.progress
             && !self.stopped.get()
         {
-            // Without an allocation: a host may be asked often, and while it has no memory.
+            // Without an allocation: a host may be called often, and while the system has no
+            // memory.
             let mut text = [0_u8; 80];
             let length = stage.len().min(text.len() - 1);
             text[..length].copy_from_slice(&stage.as_bytes()[..length]);
-            // SAFETY: the host gave this function for this purpose, and the text, which ends with a
-            // 0, lives through the call.
+            // SAFETY: the host provided this function for this purpose, and the 0-terminated text
+            // lives during the call.
             let answer = unsafe { callback(self.callbacks.progress_user, fraction, text.as_ptr().cast()) };
             self.stopped.set(answer != 0);
         }

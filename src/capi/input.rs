@@ -1,4 +1,4 @@
-//! Raw pointers to values, slices and structs, each checked for what can be checked.
+//! Conversion of raw pointers to values, slices and structs, with all possible checks.
 
 #![allow(clippy::not_unsafe_ptr_arg_deref, reason = "each caller is a function of C, whose comment states the promise")]
 
@@ -16,7 +16,7 @@ pub(super) fn aligned<T>(pointer: *const T, name: &'static str) -> Result<(), Fa
     aligned_to(align_of::<T>(), pointer.addr(), name)
 }
 
-/// [`aligned`] without a type, so that it is compiled once.
+/// [`aligned`] without a type parameter, so that it is compiled only once.
 fn aligned_to(alignment: usize, address: usize, name: &'static str) -> Result<(), Failure> {
     if address == 0 {
         Err(Failure::null(name))
@@ -28,25 +28,25 @@ fn aligned_to(alignment: usize, address: usize, name: &'static str) -> Result<()
     }
 }
 
-/// An object that lives while the call runs; handles are read by `handle::get`.
+/// Returns an object that lives during the call. `handle::get` reads handles instead.
 pub fn reference<'a, T>(pointer: *const T, name: &'static str) -> Result<&'a T, Failure> {
     aligned(pointer, name)?;
-    // SAFETY: not NULL and aligned; that it points to a live T is the caller's promise.
+    // SAFETY: not NULL and aligned; the caller promises that it points to a live T.
     Ok(unsafe { &*pointer })
 }
 
-/// Where a result goes; `cleared` is written at once, so that a failure leaves nothing old behind.
+/// Returns the place of a result. It writes `cleared` at once, so that the place is defined after a
+/// failure.
 pub(crate) fn output<'a, T>(pointer: *mut T, cleared: T, name: &'static str) -> Result<&'a mut T, Failure> {
     aligned(pointer, name)?;
-    // SAFETY: not NULL and aligned; that it points to writable memory for a T is the caller's
-    // promise.
+    // SAFETY: not NULL and aligned; the caller promises writable memory for a T.
     unsafe {
         pointer.write(cleared);
         Ok(&mut *pointer)
     }
 }
 
-/// As [`output`], for what need not be asked for.
+/// [`output`] for a result that the caller may omit.
 pub(crate) fn optional_output<'a, T>(
     pointer: *mut T,
     cleared: T,
@@ -62,13 +62,13 @@ pub(crate) fn set<T>(slot: Option<&mut T>, value: T) {
     }
 }
 
-/// Three coordinates of the caller's, at any alignment.
+/// Reads three coordinates, at any alignment.
 pub(crate) fn vector(pointer: *const f64, name: &'static str) -> Result<glam::DVec3, Failure> {
     let bytes = bytes(pointer.cast(), 3, 8, name)?;
     Ok(glam::DVec3::from_array(bytemuck::pod_read_unaligned(bytes)))
 }
 
-/// A buffer of the caller's for `count` elements; anything will do for none.
+/// Returns the caller's buffer for `count` elements. If `count` is 0, any pointer is valid.
 fn buffer<T>(pointer: *mut T, count: usize, name: &'static str) -> Result<*mut [T], Failure> {
     if count == 0 {
         return Ok(ptr::slice_from_raw_parts_mut(ptr::dangling_mut(), 0));
@@ -78,18 +78,19 @@ fn buffer<T>(pointer: *mut T, count: usize, name: &'static str) -> Result<*mut [
     Ok(ptr::slice_from_raw_parts_mut(pointer, count))
 }
 
-/// A buffer of the caller's for `count` results of plain numbers; anything will do for none.
+/// Returns the caller's buffer for `count` results of plain numbers. If `count` is 0, any pointer
+/// is valid.
 pub fn results<'a, T: bytemuck::Pod>(
     pointer: *mut T,
     count: usize,
     name: &'static str,
 ) -> Result<&'a mut [T], Failure> {
-    // SAFETY: not NULL, aligned, at most isize::MAX bytes; that it has room for so many is the
-    // caller's promise. Plain numbers may hold anything.
+    // SAFETY: not NULL, aligned, and at most isize::MAX bytes. The caller promises room for `count`
+    // elements. Plain numbers may hold any bits.
     buffer(pointer, count, name).map(|buffer| unsafe { &mut *buffer })
 }
 
-/// As [`results`], with every byte 0 at once, so that a failure leaves nothing old behind.
+/// [`results`], with every byte set to 0 at once, so that the buffer is defined after a failure.
 pub(crate) fn cleared<'a, T: bytemuck::Pod>(
     pointer: *mut T,
     count: usize,
@@ -100,21 +101,21 @@ pub(crate) fn cleared<'a, T: bytemuck::Pod>(
     Ok(out)
 }
 
-/// A buffer of the caller's for `count` handles.
+/// Returns the caller's buffer for `count` handles.
 pub(crate) fn handles<'a, T>(
     pointer: *mut *mut T,
     count: usize,
     name: &'static str,
 ) -> Result<&'a mut [*mut T], Failure> {
     let handles = buffer(pointer, count, name)?;
-    // SAFETY: as in results; NULL is a value of every pointer.
+    // SAFETY: as in `results`; NULL is a valid pointer value.
     unsafe {
         handles.cast::<*mut T>().write_bytes(0, count);
         Ok(&mut *handles)
     }
 }
 
-/// `count` elements of the caller's, read as bytes: any alignment will do.
+/// Returns `count` elements as bytes, at any alignment.
 pub fn bytes<'a>(pointer: *const c_void, count: usize, size: usize, name: &'static str) -> Result<&'a [u8], Failure> {
     let length = count.checked_mul(size).filter(|&n| n <= isize::MAX as usize);
     let Some(length) = length else {
@@ -129,12 +130,12 @@ pub fn bytes<'a>(pointer: *const c_void, count: usize, size: usize, name: &'stat
     if pointer.is_null() {
         return Err(Failure::null(name));
     }
-    // SAFETY: not NULL, at most isize::MAX bytes, and bytes need no alignment; that so many can be
-    // read, and that nobody writes to them during the call, is the caller's promise.
+    // SAFETY: not NULL, at most isize::MAX bytes, and bytes need no alignment. The caller promises
+    // that they are readable and that nobody writes to them during the call.
     Ok(unsafe { std::slice::from_raw_parts(pointer.cast(), length) })
 }
 
-/// `count` elements of plain numbers of the caller's, at any alignment.
+/// Iterates over `count` elements of plain numbers, at any alignment.
 pub(crate) fn items<'a, T: bytemuck::AnyBitPattern>(
     pointer: *const T,
     count: usize,
@@ -144,7 +145,7 @@ pub(crate) fn items<'a, T: bytemuck::AnyBitPattern>(
     Ok(bytes.chunks_exact(size_of::<T>()).map(bytemuck::pod_read_unaligned))
 }
 
-/// As [`items`], copied.
+/// Copies the elements of [`items`].
 pub(crate) fn list<T: bytemuck::AnyBitPattern>(
     pointer: *const T,
     count: usize,
@@ -153,7 +154,7 @@ pub(crate) fn list<T: bytemuck::AnyBitPattern>(
     Ok(gusset_base::alloc::collect(items(pointer, count, name)?)?)
 }
 
-/// A flag of the caller's.
+/// Reads a flag, 0 or 1.
 pub(crate) fn flag(value: u32, name: &'static str) -> Result<bool, Failure> {
     match value {
         0 | 1 => Ok(value == 1),
@@ -161,31 +162,31 @@ pub(crate) fn flag(value: u32, name: &'static str) -> Result<bool, Failure> {
     }
 }
 
-/// An enum of the core whose variants are constants in C; `c_enum` makes its impl.
+/// An enum of the core whose variants are constants in C; `c_enum` implements it.
 pub(crate) trait Choice: Sized {
-    /// The field or parameter that takes them.
+    /// The field or parameter that takes the constants.
     const NAME: &'static str;
 
-    /// The variant of a constant.
+    /// Returns the variant of a constant.
     fn from_constant(value: u32) -> Option<Self>;
 
-    /// The constant of a variant.
+    /// Returns the constant of a variant.
     fn number(self) -> u32;
 }
 
-/// One of the constants of an enum.
+/// Converts a constant to a variant.
 pub(crate) fn choice<T: Choice>(value: u32) -> Result<T, Failure> {
     T::from_constant(value).ok_or_else(|| Failure::unknown(T::NAME, value.into()))
 }
 
-/// What is lent of a list: its first element, or NULL if it is empty.
+/// Returns the pointer to lend for a list: its first element, or NULL if it is empty.
 pub(crate) fn lent<T>(list: &[T]) -> *const T {
     if list.is_empty() { ptr::null() } else { list.as_ptr() }
 }
 
-/// Fills the caller's buffer of `capacity` elements with the `needed` ones that `make` gives, or
-/// only tells their number if there is no buffer. Without memory nothing is written, nor is the
-/// number.
+/// Fills the caller's buffer of `capacity` elements with the `needed` elements that `make` returns.
+/// Without a buffer, it only returns their number. If memory runs out, nothing is written, and
+/// `written` stays unchanged.
 pub(crate) fn fill<T: bytemuck::Pod, I: IntoIterator<Item = T>>(
     (buffer, capacity, name): (*mut T, usize, &'static str),
     needed: usize,
@@ -200,7 +201,7 @@ pub(crate) fn fill<T: bytemuck::Pod, I: IntoIterator<Item = T>>(
     }
     if capacity < needed {
         *written = needed;
-        let message = format!("{name} has room for {capacity} and {needed} are needed");
+        let message = format!("{name} has room for {capacity} elements, but {needed} are needed");
         return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
     }
     let (out, made) = (results(buffer, needed, name)?, make()?);
@@ -210,7 +211,7 @@ pub(crate) fn fill<T: bytemuck::Pod, I: IntoIterator<Item = T>>(
     Ok(())
 }
 
-/// As [`fill`], with a copy of what the library has.
+/// [`fill`] with a copy of the library's data.
 pub(crate) fn copy<T: bytemuck::Pod>(
     buffer: (*mut T, usize, &'static str),
     from: &[T],
@@ -223,20 +224,19 @@ pub(crate) fn copy<T: bytemuck::Pod>(
 /// A struct of plain numbers and pointers that begins with `size_t struct_size`.
 ///
 /// # Safety
-/// `repr(C)`, its first field is the size, and all bytes zero are a valid value.
+/// The struct is `repr(C)`, its first field is the size, and all bytes zero are a valid value.
 pub(crate) unsafe trait Versioned: Copy {
-    /// The size of the first version that was published.
+    /// The size of the first published version.
     const MIN_SIZE: usize;
 
-    /// The field of this name, if the struct has one and is read.
+    /// Returns the field `reserved`, if the struct has one and is read.
     fn reserved(&self) -> u32 {
         0
     }
 }
 
-/// Reads the struct, as long as the caller's version of it is; fields that it lacks are 0. NULL
-/// gives all zeros if `optional`. Bytes beyond what this version knows must be 0, and so must
-/// `reserved`.
+/// Reads the struct up to the size of the caller's version; missing fields are 0. NULL gives all
+/// zeros if `optional`. Bytes beyond this version, and `reserved`, must be 0.
 pub(crate) fn read<T: Versioned>(pointer: *const T, optional: bool, name: &'static str) -> Result<T, Failure> {
     // SAFETY: zeros are valid, by the trait.
     let mut value: T = unsafe { MaybeUninit::zeroed().assume_init() };
@@ -245,37 +245,35 @@ pub(crate) fn read<T: Versioned>(pointer: *const T, optional: bool, name: &'stat
     }
     let size = struct_size(pointer, name)?;
     let known = size_of::<T>().min(size);
-    // SAFETY: aligned and not NULL; the caller promises `size` readable bytes. Copying a prefix
-    // over zeros gives a value of plain fields.
+    // SAFETY: aligned and not NULL; the caller promises `size` readable bytes. A prefix copied over
+    // zeros is a valid value of plain fields.
     unsafe { ptr::copy_nonoverlapping(pointer.cast::<u8>(), (&raw mut value).cast(), known) };
     let tail = bytes(pointer.wrapping_byte_add(known).cast(), size - known, 1, name)?;
     check_unknown_fields(tail, value.reserved(), name)?;
     Ok(value)
 }
 
-/// Fails if a host sets `reserved`, or fields behind those that this version knows.
+/// Fails if the host sets `reserved` or fields beyond this version.
 fn check_unknown_fields(tail: &[u8], reserved: u32, name: &'static str) -> Result<(), Failure> {
     match tail.iter().find(|&&byte| byte != 0) {
-        Some(&byte) => {
-            Err(Failure::unknown(format_args!("a field of {name} that this version does not know"), byte.into()))
-        }
+        Some(&byte) => Err(Failure::unknown(format_args!("a field of {name} beyond this version"), byte.into())),
         None if reserved != 0 => Err(Failure::unknown(format_args!("{name}.reserved"), reserved.into())),
         None => Ok(()),
     }
 }
 
-/// Options within other options, NULL for the defaults, as `checked` makes them: what it refuses is
-/// named by its path.
+/// Reads options within other options, which `checked` converts; NULL means the defaults. A failure
+/// names the field by its path.
 pub(crate) fn nested<T: Versioned, U>(
     pointer: *const T,
     name: &'static str,
     checked: impl FnOnce(T) -> Result<U, Failure>,
 ) -> Result<U, Failure> {
-    checked(read(pointer, true, name)?).map_err(|failure| failure.of_field(name))
+    checked(read(pointer, true, name)?).map_err(|failure| failure.with_field(name))
 }
 
-/// Where the structs of an array are, all of which must be as large as the first one says; each
-/// failure with its number.
+/// Returns pointers to the structs of an array. All must have the size of the first one. A failure
+/// has the index of its struct.
 pub(crate) fn structs<T: Versioned>(
     first: *const T,
     count: usize,
@@ -285,17 +283,17 @@ pub(crate) fn structs<T: Versioned>(
     bytes(first.cast(), count, size, name)?;
     Ok((0..count).map(move |k| {
         let one = first.wrapping_byte_add(k * size);
-        let found = struct_size(one, name).map_err(|failure| failure.of_item(k))?;
+        let found = struct_size(one, name).map_err(|failure| failure.with_item(k))?;
         if found == size {
             Ok(one)
         } else {
-            let message = format!("{name}: the struct_size of number {k} is {found}, and that of the first one {size}");
-            Err(Failure { value: found as f64, ..Failure::new(GUSSET_ERROR_BAD_STRUCT_SIZE, message) }.of_item(k))
+            let message = format!("{name}: struct {k} has struct_size {found}, but struct 0 has {size}");
+            Err(Failure { value: found as f64, ..Failure::new(GUSSET_ERROR_BAD_STRUCT_SIZE, message) }.with_item(k))
         }
     }))
 }
 
-/// Clears a struct that the caller wants filled, all but its size, and returns the writer.
+/// Clears the caller's struct except its size, and returns the writer.
 pub(crate) fn output_struct<T: Versioned>(pointer: *mut T, name: &'static str) -> Result<Output<T>, Failure> {
     let size = struct_size(pointer, name)?;
     let field = size_of::<usize>();
@@ -304,7 +302,7 @@ pub(crate) fn output_struct<T: Versioned>(pointer: *mut T, name: &'static str) -
     Ok(Output { pointer, size })
 }
 
-/// A struct of the caller's to be filled.
+/// A struct of the caller that the call will fill.
 pub(crate) struct Output<T> {
     pointer: *mut T,
     size: usize,
@@ -322,7 +320,7 @@ impl<T: Versioned> Output<T> {
     }
 }
 
-/// The size that the caller's struct says it has.
+/// Returns the size that the caller's struct declares.
 fn struct_size<T: Versioned>(pointer: *const T, name: &'static str) -> Result<usize, Failure> {
     aligned(pointer, name)?;
     // SAFETY: aligned and not NULL, and every version begins with the size.
@@ -330,10 +328,10 @@ fn struct_size<T: Versioned>(pointer: *const T, name: &'static str) -> Result<us
     check_struct_size(T::MIN_SIZE, size_of::<T>(), size, name)
 }
 
-/// Fails if `size` is below that of the first version, or beyond that of any.
+/// Fails if `size` is smaller than the first version, or larger than any.
 fn check_struct_size(min: usize, known: usize, size: usize, name: &'static str) -> Result<usize, Failure> {
     if size < min || size > 4096 {
-        let message = format!("{name}: struct_size is {size}, and this version has {known}");
+        let message = format!("{name}: struct_size is {size}, which does not fit this version's {known}");
         return Err(Failure { value: size as f64, ..Failure::new(GUSSET_ERROR_BAD_STRUCT_SIZE, message) });
     }
     Ok(size)

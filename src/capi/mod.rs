@@ -1,6 +1,6 @@
 //! The C interface: checks pointers, turns panics into status codes, computes nothing.
 //!
-//! | file | what it owns |
+//! | file | content |
 //! |---|---|
 //! | [`status`] | the status codes, and which one each error of the core becomes |
 //! | `glue` | macros that write impls for structs and enums |
@@ -12,7 +12,7 @@
 //! | [`transform`] | affine maps |
 //! | [`version`] | versions of the library and of its binary interface |
 //!
-//! | folder | what it owns |
+//! | folder | content |
 //! |---|---|
 //! | [`mesh`] | the mesh view; boundaries, checks, repairs; stitching, holes, joining |
 //! | [`curve`] | the handle of a curve, places on it; outlines, frames of a body |
@@ -22,7 +22,7 @@
 //! | [`papers`] | winged-edge tables, the search by the logical scale |
 //! | [`plugin`] | the other interface: one symbol and tables of filters, with a header of its own |
 //!
-//! Unsafe code is here, in the kernels of `simd`, in `threads` and in `reserve`, nowhere else.
+//! Unsafe code is confined to this module, the kernels of `simd`, `threads` and `reserve`.
 
 #![allow(unsafe_code, reason = "the border to C")]
 #![allow(non_camel_case_types, reason = "these are the names that C sees")]

@@ -187,20 +187,20 @@ pub const GUSSET_ELEMENT_ROW: gusset_element = 31;
 /// Edge of a winged-edge table.
 pub const GUSSET_ELEMENT_EDGE: gusset_element = 32;
 
-/// A failure on its way to the host.
+/// A failure to report to the host.
 #[derive(Debug)]
 pub struct Failure {
     /// The status code.
     pub status: gusset_status,
-    /// The text for the host.
+    /// The message for the host.
     pub message: Cow<'static, str>,
-    /// The kind of element at fault.
+    /// The kind of the element at fault.
     pub(crate) element: gusset_element,
-    /// The index of that element.
+    /// The index of the element at fault.
     pub(crate) index: u64,
     /// The value at fault.
     pub(crate) value: f64,
-    /// Which mesh: 0 the first, 1 the second.
+    /// The input at fault: 0 is the first, 1 the second.
     pub(crate) input: u32,
 }
 
@@ -221,36 +221,40 @@ impl Failure {
     }
 
     pub(crate) fn no_such(what: &'static str, index: usize) -> Self {
-        let message = format!("there is no {what} {index}");
+        let message = format!("{what} {index} does not exist");
         Failure { index: index as u64, ..Failure::new(GUSSET_ERROR_NO_SUCH_ELEMENT, message) }
     }
 
-    /// The same failure, of item `index` of an array of the caller's, unless it is about an element
-    /// already.
-    pub(crate) fn of_item(self, index: usize) -> Self {
+    /// Adds the index of an item in the caller's array, unless the failure already has an element.
+    pub(crate) fn with_item(self, index: usize) -> Self {
         match self.element {
             GUSSET_ELEMENT_NONE => Failure { element: GUSSET_ELEMENT_ITEM, index: index as u64, ..self },
             _ => self,
         }
     }
 
-    /// The same failure, of a field of the struct `name` that the options point to.
-    pub(crate) fn of_field(self, name: &'static str) -> Self {
+    /// Prefixes the name of a nested struct in the options to the message.
+    pub(crate) fn with_field(self, name: &'static str) -> Self {
         Failure { message: format!("{name}.{}", self.message).into(), ..self }
     }
 
-    /// The same failure, of input mesh `input`.
-    pub(crate) fn of_input(self, input: u32) -> Self {
+    /// Sets the input at fault.
+    pub(crate) fn with_input(self, input: u32) -> Self {
         Failure { input, ..self }
     }
 
-    /// A failure that is about element `index`.
-    fn at(status: gusset_status, element: gusset_element, index: impl Into<u64>, value: impl Into<f64>) -> Self {
+    /// Returns a failure with an element at fault.
+    fn with_element(
+        status: gusset_status,
+        element: gusset_element,
+        index: impl Into<u64>,
+        value: impl Into<f64>,
+    ) -> Self {
         Failure { element, index: index.into(), value: value.into(), ..Failure::new(status, "") }
     }
 }
 
-/// The constant of C for an element.
+/// Returns the constant of C for an element.
 fn code_of(element: Element) -> gusset_element {
     match element {
         Element::Vertex => GUSSET_ELEMENT_VERTEX,
@@ -271,9 +275,9 @@ fn code_of(element: Element) -> gusset_element {
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
         use Error::*;
-        let at = |status, element, index: u32, value: f64| Failure::at(status, element, index, value);
-        let plain = |status, value: f64| Failure::at(status, GUSSET_ELEMENT_NONE, 0_u64, value);
-        let count = |status, count: u64| Failure::at(status, GUSSET_ELEMENT_COUNT, count, 0.0);
+        let at = |status, element, index: u32, value: f64| Failure::with_element(status, element, index, value);
+        let plain = |status, value: f64| Failure::with_element(status, GUSSET_ELEMENT_NONE, 0_u64, value);
+        let count = |status, count: u64| Failure::with_element(status, GUSSET_ELEMENT_COUNT, count, 0.0);
         let failure = match error {
             TooLarge { count: n, limit, .. } => Failure { value: limit as f64, ..count(GUSSET_ERROR_TOO_LARGE, n) },
             SizeOverflow { count: n, .. } => count(GUSSET_ERROR_SIZE_OVERFLOW, n),
@@ -297,8 +301,12 @@ impl From<Error> for Failure {
                 input: cut,
                 ..at(GUSSET_ERROR_CUT_NOT_CONNECTED, GUSSET_ELEMENT_LOOP_PLACE, place, vertex.into())
             },
-            NotFinite { element, index, value } => Failure::at(GUSSET_ERROR_NOT_FINITE, code_of(element), index, value),
-            BadWeight { index, value } => Failure::at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NODE, index, value),
+            NotFinite { element, index, value } => {
+                Failure::with_element(GUSSET_ERROR_NOT_FINITE, code_of(element), index, value)
+            }
+            BadWeight { index, value } => {
+                Failure::with_element(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NODE, index, value)
+            }
             InputsDiffer { given, needed } => {
                 Failure { value: needed as f64, ..count(GUSSET_ERROR_COUNT_DIFFERS, given) }
             }
@@ -307,12 +315,14 @@ impl From<Error> for Failure {
             }
             BadValue { element, index, input, value } => {
                 let status = if value.is_finite() { GUSSET_ERROR_OUT_OF_RANGE } else { GUSSET_ERROR_NOT_FINITE };
-                Failure { input, ..Failure::at(status, code_of(element), index, value) }
+                Failure { input, ..Failure::with_element(status, code_of(element), index, value) }
             }
             CoordinateTooLarge { element, index, value } => {
-                Failure::at(GUSSET_ERROR_OUT_OF_RANGE, code_of(element), index, value)
+                Failure::with_element(GUSSET_ERROR_OUT_OF_RANGE, code_of(element), index, value)
             }
-            NoSuch { element, index } => Failure::at(GUSSET_ERROR_NO_SUCH_ELEMENT, code_of(element), index, 0.0),
+            NoSuch { element, index } => {
+                Failure::with_element(GUSSET_ERROR_NO_SUCH_ELEMENT, code_of(element), index, 0.0)
+            }
             SectionsDiffer { section, count, .. } => {
                 at(GUSSET_ERROR_SECTIONS_DIFFER, GUSSET_ELEMENT_SECTION, section, count.into())
             }
@@ -354,15 +364,15 @@ impl From<Error> for Failure {
             CurvesOutOfOrder { row, .. } => at(GUSSET_ERROR_CURVES_APART, GUSSET_ELEMENT_ROW, row, 0.0),
             NetsOpposed => plain(GUSSET_ERROR_ORIENTATION_CONFLICT, 0.0),
             NoGrid { face } => at(GUSSET_ERROR_NO_GRID, GUSSET_ELEMENT_FACE, face, 0.0),
-            BadStream { byte, .. } => Failure::at(GUSSET_ERROR_BAD_STREAM, GUSSET_ELEMENT_BYTE, byte, 0.0),
+            BadStream { byte, .. } => Failure::with_element(GUSSET_ERROR_BAD_STREAM, GUSSET_ELEMENT_BYTE, byte, 0.0),
             SceneCycle { entry } => at(GUSSET_ERROR_SCENE_CYCLE, GUSSET_ELEMENT_ENTRY, entry, 0.0),
             EmptyScene => plain(GUSSET_ERROR_EMPTY_SCENE, 0.0),
             FieldUndefined { node } => at(GUSSET_ERROR_FIELD_UNDEFINED, GUSSET_ELEMENT_NODE, node, 0.0),
             GluedInside => plain(GUSSET_ERROR_GLUED_INSIDE, 0.0),
-            BadWings { edge, .. } => Failure::at(GUSSET_ERROR_BAD_WINGS, GUSSET_ELEMENT_EDGE, edge, 0.0),
+            BadWings { edge, .. } => Failure::with_element(GUSSET_ERROR_BAD_WINGS, GUSSET_ELEMENT_EDGE, edge, 0.0),
             GluingsDiffer { node } => at(GUSSET_ERROR_GLUINGS_DIFFER, GUSSET_ELEMENT_NODE, node, 0.0),
             BadLine { line: item, value, .. } | SheetOutOfRange { sheet: item, value } => {
-                Failure::at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, item, value)
+                Failure::with_element(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, item, value)
             }
             NotRigid { pose } => at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, pose, 0.0),
             InputCount { given, .. } => plain(GUSSET_ERROR_OUT_OF_RANGE, given as f64),

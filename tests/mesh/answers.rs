@@ -118,7 +118,7 @@ fn a_pair_that_names_nothing_is_told_why() {
         let error = run(&[right, pair], &[]);
         assert_eq!(
             (error.to_string(), error.side()),
-            (format!("pair 1 of pairs: the loop through {named} is in a pair before this one"), Some(side))
+            (format!("pair 1 of pairs: the loop through {named} is in a previous pair"), Some(side))
         );
     }
 }

@@ -201,13 +201,13 @@ pub enum Error {
         face: u32,
     },
     /// The second piece is oriented against the first, and the options forbid flipping it.
-    #[error("the piece at loop B (face {face}) is oriented against the piece at loop A: flip one of them")]
+    #[error("the surface at loop B (face {face}) is oriented against the surface at loop A: flip one of them")]
     OrientationConflict {
         /// A face on the second loop.
         face: u32,
     },
-    /// Every strip through the first meridian, or the strip of the chosen rule, would reuse an edge
-    /// that the mesh already uses twice.
+    /// Every strip through the first meridian, or the strip of the chosen rule, would repeat an
+    /// edge of the mesh.
     #[error("no strip between the loops avoids the edges that the mesh already has (vertex {vertex})")]
     NoStrip {
         /// The vertex of the first loop where the rule's meridian starts, if one vertex is to
@@ -415,7 +415,7 @@ impl Error {
         if count <= limit { Ok(()) } else { Err(Error::TooLarge { what, count, limit }) }
     }
 
-    /// The piece that the error concerns, if it concerns one of two pieces.
+    /// Returns the piece that the error concerns, if it concerns one of two pieces.
     pub fn side(&self) -> Option<Side> {
         match *self {
             Error::NotFinite { element: Element::LoopPoint(side), .. }

@@ -49,7 +49,7 @@ impl<'a> Job<'a> {
         Job { threads, progress, from: 0.0, to: 1.0, drawn: reserve::drawn() }
     }
 
-    /// The requested number of threads; 0 means automatic.
+    /// Returns the requested number of threads; 0 means automatic.
     pub fn threads(&self) -> usize {
         self.threads
     }

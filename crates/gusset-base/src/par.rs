@@ -135,7 +135,7 @@ fn share_jobs(
     reported
 }
 
-/// A slot for each of `count` results.
+/// Returns a slot for each of `count` results.
 fn empty<R>(count: usize) -> Result<Mutex<Vec<Option<R>>>> {
     Ok(Mutex::new(alloc::collect((0..count).map(|_| None))?))
 }
@@ -423,7 +423,7 @@ mod tests {
     }
 
     #[test]
-    fn the_host_is_asked_while_this_thread_waits() {
+    fn progress_is_reported_while_this_thread_waits() {
         struct Patience(Cell<u32>);
         impl Progress for Patience {
             fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {

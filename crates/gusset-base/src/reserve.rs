@@ -14,8 +14,8 @@
 
 #![allow(unsafe_code, reason = "an allocator")]
 
-/// The number of bytes taken from the reserve since the program began. Two equal readings mean that
-/// nothing was taken in between.
+/// Returns the number of bytes taken from the reserve since the program began. Two equal readings
+/// mean that nothing was taken in between.
 #[inline]
 pub fn drawn() -> u64 {
     #[cfg(feature = "reserve")]
@@ -79,7 +79,7 @@ mod arenas {
     }
 
     impl Arenas {
-        /// The offset of a block in the reserve, if the block lies there.
+        /// Returns the offset of a block in the reserve, if the block lies there.
         #[inline]
         pub(super) fn offset_of(&self, block: *const u8) -> Option<usize> {
             let offset = (block as usize).wrapping_sub(self.bytes.get() as usize);

@@ -261,26 +261,26 @@ impl<T: Copy> Buckets<T> {
         Ok(Buckets { start, items })
     }
 
-    /// The range of a bucket in [`items`](Self::items).
+    /// Returns the range of a bucket in [`items`](Self::items).
     #[inline]
     pub fn range(&self, bucket: usize) -> Range<usize> {
         self.start[bucket] as usize..self.start[bucket + 1] as usize
     }
 
-    /// The items of a bucket.
+    /// Returns the items of a bucket.
     #[inline]
     pub fn get(&self, bucket: usize) -> &[T] {
         &self.items[self.range(bucket)]
     }
 
-    /// The items of a bucket, mutable.
+    /// Returns the items of a bucket, mutable.
     #[inline]
     pub fn get_mut(&mut self, bucket: usize) -> &mut [T] {
         let range = self.range(bucket);
         &mut self.items[range]
     }
 
-    /// All items, bucket by bucket.
+    /// Returns all items, bucket by bucket.
     pub fn items(&self) -> &[T] {
         &self.items
     }

@@ -201,7 +201,7 @@ fn places(parts: &mut [Part], vertices: usize, job: &Job<'_>) -> Result<u32> {
     Ok(next)
 }
 
-/// The bucket of a half-edge from `u` to `v`.
+/// Returns the bucket of a half-edge from `u` to `v`.
 fn bucket(u: u32, v: u32) -> usize {
     2 * u.min(v) as usize + usize::from(u > v)
 }
@@ -223,7 +223,7 @@ fn proper(first: u32, corners: &[u32], mut visit: impl FnMut(u32, u32, u32)) -> 
     count
 }
 
-/// A vertex that occurs twice in the face.
+/// Returns a vertex that occurs twice in the face.
 #[inline(always)]
 fn repeated(corners: &[u32]) -> Result<Option<u32>> {
     if corners.len() <= 8 {

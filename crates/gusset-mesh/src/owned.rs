@@ -61,7 +61,7 @@ impl PositionBuffer {
         })
     }
 
-    /// The number of positions.
+    /// Returns the number of positions.
     #[inline]
     pub fn len(&self) -> usize {
         self.view().len()
@@ -127,26 +127,26 @@ impl Mesh {
         Mesh { positions, face_offsets, face_corners, merge: Vec::new() }
     }
 
-    /// The vertex at a corner after merging.
+    /// Returns the vertex at a corner after merging.
     #[inline]
     pub fn corner(&self, corner: usize) -> u32 {
         let v = self.face_corners[corner];
         self.merge.get(v as usize).copied().unwrap_or(v)
     }
 
-    /// The face that a corner belongs to, by bisection.
+    /// Returns the face that a corner belongs to, by bisection.
     #[inline]
     pub fn face_of(&self, corner: u32) -> usize {
         self.face_offsets.partition_point(|&start| start <= corner) - 1
     }
 
-    /// The number of faces.
+    /// Returns the number of faces.
     #[inline]
     pub fn face_count(&self) -> usize {
         self.face_offsets.len() - 1
     }
 
-    /// The corners of each face.
+    /// Returns the corners of each face.
     pub fn faces(&self) -> impl ExactSizeIterator<Item = &[u32]> {
         self.face_offsets.windows(2).map(|w| &self.face_corners[w[0] as usize..w[1] as usize])
     }
@@ -157,7 +157,7 @@ impl Mesh {
         self.face_corners[first + 1..end].reverse();
     }
 
-    /// The mean length of the faces' sides; infinite if all lengths are 0.
+    /// Returns the mean length of the faces' sides; infinite if all lengths are 0.
     pub fn mean_side(&self) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0);
         for face in self.faces() {

@@ -18,7 +18,7 @@ pub enum Scalar {
 }
 
 impl Scalar {
-    /// The size in bytes of one position: three coordinates.
+    /// Returns the size in bytes of one position: three coordinates.
     #[inline]
     pub fn position_size(self) -> usize {
         match self {
@@ -48,7 +48,7 @@ impl<'a> Positions<'a> {
         Ok(Positions { points: Strided::new(bytes, count, stride, scalar.position_size(), "positions")?, scalar })
     }
 
-    /// The number of bytes that `count` positions span.
+    /// Returns the number of bytes that `count` positions span.
     ///
     /// # Errors
     /// [`Error::TooLarge`], [`Error::StrideTooSmall`], [`Error::SizeOverflow`].
@@ -58,7 +58,7 @@ impl<'a> Positions<'a> {
         Strided::span(count, stride, scalar.position_size(), "positions")
     }
 
-    /// The number of positions.
+    /// Returns the number of positions.
     #[inline]
     pub fn len(&self) -> usize {
         self.points.count()
@@ -70,7 +70,7 @@ impl<'a> Positions<'a> {
         self.len() == 0
     }
 
-    /// The type of the coordinates.
+    /// Returns the type of the coordinates.
     #[inline]
     pub fn scalar(&self) -> Scalar {
         self.scalar
@@ -115,7 +115,7 @@ impl<'a> Positions<'a> {
         self.points.bytes(v)
     }
 
-    /// The bytes, if the positions are contiguous.
+    /// Returns the bytes, if the positions are contiguous.
     pub(super) fn packed_bytes(&self) -> Option<&'a [u8]> {
         self.points.without_gaps()
     }

@@ -24,7 +24,7 @@ pub enum Opposite {
 }
 
 impl Topology {
-    /// The opposite of half-edge `h`, which must not be an ignored one.
+    /// Returns the opposite of half-edge `h`, which must not be an ignored one.
     #[inline]
     pub fn opposite(&self, h: u32) -> Opposite {
         match self.mate[h as usize] {
@@ -40,7 +40,8 @@ impl Topology {
         self.mate[h as usize] == h
     }
 
-    /// The half-edges of free edges and of edges with three or more faces, in ascending order.
+    /// Returns the half-edges of free edges and of edges with three or more faces, in ascending
+    /// order.
     pub fn border(&self, job: &Job<'_>) -> Result<Vec<u32>> {
         let found = par::map(job.threads(), par::ranges(self.mate.len(), CHUNK), |range| {
             let half_edges = (range.start as u32..).zip(&self.mate[range]);
@@ -51,19 +52,19 @@ impl Topology {
         Ok(border)
     }
 
-    /// The number of faces' corners at vertex `v`, without ignored half-edges.
+    /// Returns the number of faces' corners at vertex `v`, without ignored half-edges.
     #[inline]
     pub fn corner_count(&self, v: u32) -> u32 {
         self.corner_count[v as usize]
     }
 
-    /// The degenerate faces, orientation conflicts and non-manifold edges, in this order.
+    /// Returns the degenerate faces, orientation conflicts and non-manifold edges, in this order.
     #[inline]
     pub fn defects(&self) -> &[Defect] {
         &self.defects
     }
 
-    /// The next half-edge of the same face, skipping half-edges without length.
+    /// Returns the next half-edge of the same face, skipping half-edges without length.
     #[inline]
     pub fn next(&self, mesh: &MeshView<'_>, h: u32) -> u32 {
         let range = mesh.faces().range(mesh.faces().face_of(h) as usize);
@@ -71,7 +72,7 @@ impl Topology {
         after.chain(before).find(|&n| !self.is_ignored(n)).unwrap_or(h)
     }
 
-    /// The previous half-edge of the same face, skipping half-edges without length.
+    /// Returns the previous half-edge of the same face, skipping half-edges without length.
     #[inline]
     pub fn previous(&self, mesh: &MeshView<'_>, h: u32) -> u32 {
         let range = mesh.faces().range(mesh.faces().face_of(h) as usize);
@@ -86,7 +87,7 @@ pub fn unordered([u, v]: [u32; 2]) -> u64 {
     u64::from(u.min(v)) << 32 | u64::from(u.max(v))
 }
 
-/// The half-edges of face `f` as (index, start vertex, end vertex).
+/// Returns the half-edges of face `f` as (index, start vertex, end vertex).
 #[inline]
 pub fn half_edges<'m>(mesh: &'m MeshView<'_>, f: usize) -> impl Iterator<Item = (u32, u32, u32)> + Clone + 'm {
     let faces = mesh.faces();
@@ -95,7 +96,8 @@ pub fn half_edges<'m>(mesh: &'m MeshView<'_>, f: usize) -> impl Iterator<Item = 
     (start..end).map(move |h| (h, faces.corner(h), faces.corner(if h + 1 == end { start } else { h + 1 })))
 }
 
-/// Sets of vertices in which all vertices of a face belong to one set. O(V + H), 4 bytes a vertex.
+/// Returns sets of vertices in which all vertices of a face belong to one set. O(V + H), 4 bytes a
+/// vertex.
 pub fn vertex_components(mesh: &MeshView<'_>) -> Result<DisjointSets> {
     let mut sets = DisjointSets::new(mesh.positions().len())?;
     for f in 0..mesh.faces().len() {

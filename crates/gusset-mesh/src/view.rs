@@ -118,7 +118,7 @@ impl<'a> Faces<'a> {
         self.split.is_some()
     }
 
-    /// The vertex that `v` is merged into; `v` itself if the map does not cover it.
+    /// Returns the vertex that `v` is merged into; `v` itself if the map does not cover it.
     #[inline]
     pub fn merge_of(&self, v: u32) -> u32 {
         match self.split {
@@ -127,13 +127,13 @@ impl<'a> Faces<'a> {
         }
     }
 
-    /// The vertex at corner `h` before merging.
+    /// Returns the vertex at corner `h` before merging.
     #[inline]
     pub fn split_corner(&self, h: u32) -> u32 {
         self.split.map_or(self.corners, |split| split.corners).get(h as usize)
     }
 
-    /// The number of corners of `count` faces with `face_size` corners each.
+    /// Returns the number of corners of `count` faces with `face_size` corners each.
     ///
     /// # Errors
     /// [`Error::FaceTooSmall`], [`Error::TooLarge`].
@@ -146,7 +146,7 @@ impl<'a> Faces<'a> {
         Ok(total as usize)
     }
 
-    /// The number of offsets for `count` faces.
+    /// Returns the number of offsets for `count` faces.
     ///
     /// # Errors
     /// [`Error::TooLarge`].
@@ -200,7 +200,7 @@ impl<'a> Faces<'a> {
         Self::with_offsets(bytemuck::cast_slice(offsets), bytemuck::cast_slice(corners), count)
     }
 
-    /// The number of faces.
+    /// Returns the number of faces.
     #[inline]
     pub fn len(&self) -> usize {
         self.count
@@ -212,7 +212,7 @@ impl<'a> Faces<'a> {
         self.count == 0
     }
 
-    /// The range of corners (half-edges) of face `f`.
+    /// Returns the range of corners (half-edges) of face `f`.
     #[inline]
     pub fn range(&self, f: usize) -> Range<usize> {
         match self.layout {
@@ -221,8 +221,8 @@ impl<'a> Faces<'a> {
         }
     }
 
-    /// The face that corner (half-edge) `h` belongs to. O(1) for uniform faces, otherwise by
-    /// bisection.
+    /// Returns the face that corner (half-edge) `h` belongs to. O(1) for uniform faces, otherwise
+    /// by bisection.
     #[inline]
     pub fn face_of(&self, h: u32) -> u32 {
         match self.layout {
@@ -238,20 +238,20 @@ impl<'a> Faces<'a> {
         }
     }
 
-    /// The next half-edge of the face.
+    /// Returns the next half-edge of the face.
     #[inline]
     pub fn next(&self, h: u32) -> u32 {
         let range = self.range(self.face_of(h) as usize);
         if h as usize + 1 == range.end { range.start as u32 } else { h + 1 }
     }
 
-    /// The vertex at corner `h`, where half-edge `h` starts.
+    /// Returns the vertex at corner `h`, where half-edge `h` starts.
     #[inline]
     pub fn corner(&self, h: u32) -> u32 {
         self.corners.get(h as usize)
     }
 
-    /// The vertices of the corners in `range`.
+    /// Returns the vertices of the corners in `range`.
     pub fn corners(&self, range: Range<usize>) -> impl ExactSizeIterator<Item = u32> + Clone + 'a {
         self.corners.slice(range)
     }
@@ -286,7 +286,7 @@ impl<'a> Faces<'a> {
         Ok(())
     }
 
-    /// The number of corners, which is the number of half-edges.
+    /// Returns the number of corners, which is the number of half-edges.
     #[inline]
     pub fn half_edge_count(&self) -> usize {
         self.corners.len()
@@ -356,13 +356,13 @@ impl<'a> MeshView<'a> {
         Ok(mesh)
     }
 
-    /// The positions.
+    /// Returns the positions.
     #[inline]
     pub fn positions(&self) -> &Positions<'a> {
         &self.positions
     }
 
-    /// The faces.
+    /// Returns the faces.
     #[inline]
     pub fn faces(&self) -> &Faces<'a> {
         &self.faces
@@ -407,7 +407,7 @@ impl<'a> MeshView<'a> {
         MeshView { positions: self.positions, faces: Faces { corners, split: Some(split), ..self.faces } }
     }
 
-    /// The vertices of face `f`, in order.
+    /// Returns the vertices of face `f`, in order.
     #[inline]
     pub fn face(&self, f: usize) -> impl ExactSizeIterator<Item = u32> + Clone + 'a {
         self.faces.corners(self.faces.range(f))

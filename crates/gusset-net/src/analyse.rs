@@ -48,7 +48,7 @@ pub struct Analysis {
 }
 
 impl Analysis {
-    /// True for a soft deformation: no new gluing, no tear, no fold. Otherwise it is hard.
+    /// Returns true for a soft deformation: no new gluing, no tear, no fold. Otherwise it is hard.
     pub fn is_soft(&self) -> bool {
         self.contracted.is_empty() && self.torn.is_empty() && self.folded.is_empty()
     }
@@ -174,7 +174,7 @@ fn measure_row_of_links<A: Real, B: Real>(
     Ok((contracted, torn))
 }
 
-/// The types of the stars at newly contracted links.
+/// Returns the types of the stars at newly contracted links.
 fn find_stars(topology: &Topology, links: &[u32], job: &Job<'_>) -> Result<Vec<Contracted>> {
     if links.is_empty() {
         return Ok(Vec::new());
@@ -186,7 +186,7 @@ fn find_stars(topology: &Topology, links: &[u32], job: &Job<'_>) -> Result<Vec<C
     }))
 }
 
-/// Twice the area vector of cell (i, j).
+/// Returns twice the area vector of cell (i, j).
 fn area_vector<T: Real>(planes: &Planes<'_, T>, i: usize, j: usize) -> DVec3 {
     (planes.get(i + 1, j + 1) - planes.get(i, j)).cross(planes.get(i + 1, j) - planes.get(i, j + 1))
 }
@@ -219,7 +219,7 @@ fn mark_inversions(found: &mut Analysis) -> bool {
     !found.folded.is_empty()
 }
 
-/// The determinants of the Jacobian at the centres of all cells, by central differences.
+/// Returns the determinants of the Jacobian at the centres of all cells, by central differences.
 fn determinants<T: Real>(planes: &Planes<'_, T>, steps: &[Step<'_>], job: &Job<'_>) -> Result<Vec<f64>> {
     let columns = planes.shape().columns() - 1;
     let mut determinants = alloc::zeroed(planes.shape().cell_count())?;
@@ -238,9 +238,9 @@ fn determinants<T: Real>(planes: &Planes<'_, T>, steps: &[Step<'_>], job: &Job<'
     Ok(determinants)
 }
 
-/// The Jacobian of a chain of fields at a point, by central differences, and an error bound of its
-/// columns. The step balances truncation against rounding: the cube root of the precision, times
-/// the larger of `size` and the coordinates.
+/// Returns the Jacobian of a chain of fields at a point, by central differences, and an error bound
+/// of its columns. The step balances truncation against rounding: the cube root of the precision,
+/// times the larger of `size` and the coordinates.
 pub fn jacobian(point: DVec3, size: f64, steps: &[Step<'_>]) -> (DMat3, f64) {
     let step = 6e-6 * size.max(point.abs().max_element());
     let offsets = DVec3::AXES.map(|axis| step * axis);

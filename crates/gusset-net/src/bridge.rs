@@ -108,7 +108,7 @@ pub struct Bridge {
 }
 
 impl Bridge {
-    /// A bridge along a whole side of `count` nodes.
+    /// Returns a bridge along a whole side of `count` nodes.
     pub fn new(direction: Direction, at: u32, count: u32, kind: BridgeKind, mode: BridgeMode) -> Self {
         let (properties, adaptations) = (BridgeProperties::default(), [None, None]);
         Bridge { direction, at, rows: 0, start: 0, end: count, kind, mode, properties, adaptations, nesting: 0 }
@@ -119,7 +119,7 @@ impl Bridge {
         self.mode == BridgeMode::Hide
     }
 
-    /// The last row or column of the first net.
+    /// Returns the last row or column of the first net.
     pub(crate) fn first_side(&self) -> u32 {
         self.at - self.rows - 1
     }

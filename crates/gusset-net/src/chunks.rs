@@ -15,7 +15,7 @@ pub(crate) const CHUNK: usize = 1024;
 /// Nodes that one thread takes at a time, approximately.
 pub(crate) const BLOCK: usize = 1 << 15;
 
-/// The lines of a block, of `width` nodes each.
+/// Returns the lines of a block, of `width` nodes each.
 pub(crate) fn lines_per_block(width: usize) -> usize {
     (BLOCK / width).max(1)
 }
@@ -54,7 +54,7 @@ impl ChunkLayout {
     }
 }
 
-/// The elements of three iterators in step.
+/// Returns the elements of three iterators in step.
 pub(crate) fn zip3<I: ExactSizeIterator>([x, y, z]: [I; 3]) -> impl ExactSizeIterator<Item = [I::Item; 3]> {
     x.zip(y).zip(z).map(|((x, y), z)| [x, y, z])
 }
@@ -85,7 +85,7 @@ pub(crate) fn for_each_chunk_in_order<T: Real>(
     ChunkLayout::new(planes).for_each_chunk(planes.matrices_mut(), 0, 4 * CHUNK, work)
 }
 
-/// The results of `work` for each row of `width` values, in order, computed in parallel;
+/// Returns the results of `work` for each row of `width` values, in order, computed in parallel;
 /// cancellable between blocks of rows.
 pub(crate) fn map_rows<V: Send, R: Send>(
     values: &mut [V],

@@ -19,9 +19,9 @@ use std::cmp::Ordering;
 /// The maximum number of coincident rim nodes with which a rim node is paired.
 const MAX_PARTNERS: usize = 8;
 
-/// The topology that coordinates imply, in canonical form ([`Topology::saturated`]): coincident
-/// neighbours, and runs of at least two coincident rim nodes. Tolerance 0: equal coordinates (0 and
-/// -0 are equal). O(nodes), and a sort of the rim.
+/// Returns the topology that coordinates imply, in canonical form ([`Topology::saturated`]):
+/// coincident neighbours, and runs of at least two coincident rim nodes. Tolerance 0: equal
+/// coordinates (0 and -0 are equal). O(nodes), and a sort of the rim.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`](gusset_base::Error::OptionOutOfRange) for a tolerance that is
@@ -116,8 +116,8 @@ impl Rim<'_> {
         Ok(pairs)
     }
 
-    /// The grid cell of a rim node, 1 % wider than the tolerance for rounding. Without a tolerance,
-    /// or with one below the spacing of numbers, each position is a cell.
+    /// Returns the grid cell of a rim node, 1 % wider than the tolerance for rounding. Without a
+    /// tolerance, or with one below the spacing of numbers, each position is a cell.
     fn cell(&self, k: usize) -> Cell {
         self.place(k).to_array().map(|x| {
             let at = (x / (self.tolerance * 1.01)).floor();
@@ -126,9 +126,9 @@ impl Rim<'_> {
         })
     }
 
-    /// The seams of the pairs. Pairs with equal sums of their places form a reversed run, pairs
-    /// with equal differences a run in the same direction, both modulo the length of the rim. Every
-    /// run is found from both its sides; a topology merges the two.
+    /// Returns the seams of the pairs. Pairs with equal sums of their places form a reversed run,
+    /// pairs with equal differences a run in the same direction, both modulo the length of the rim.
+    /// Every run is found from both its sides; a topology merges the two.
     fn seams(&self, pairs: &[[usize; 2]], classes: &Classes) -> Result<Vec<Seam>> {
         let n = self.len();
         let mut seams = Vec::new();
@@ -177,8 +177,8 @@ impl Rim<'_> {
         Ok(())
     }
 
-    /// The straight run from rim node k round the rim, or back, and the number of steps up to the
-    /// corner.
+    /// Returns the straight run from rim node k round the rim, or back, and the number of steps up
+    /// to the corner.
     fn run(&self, k: usize, forwards: bool) -> (Run, usize) {
         let (k, corners) = (k % self.len(), self.corners());
         // Back from a corner leads along the previous side.

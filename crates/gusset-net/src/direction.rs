@@ -32,12 +32,12 @@ impl Direction {
         }
     }
 
-    /// The number of nodes in this direction, and across it along a joined side.
+    /// Returns the number of nodes in this direction, and across it along a joined side.
     pub(crate) fn extent(self, shape: Shape) -> (usize, usize) {
         self.ordered(shape.rows(), shape.columns())
     }
 
-    /// The link in this direction from node `k` of line `i` to the next line.
+    /// Returns the link in this direction from node `k` of line `i` to the next line.
     pub(crate) fn link_across(self, shape: Shape, i: usize, k: usize) -> u32 {
         match self {
             Direction::Right => shape.horizontal_link(k, i),
@@ -45,7 +45,7 @@ impl Direction {
         }
     }
 
-    /// The link along line `i` from its node `k` to the next.
+    /// Returns the link along line `i` from its node `k` to the next.
     pub(crate) fn link_along(self, shape: Shape, i: usize, k: usize) -> u32 {
         match self {
             Direction::Right => shape.vertical_link(k, i),

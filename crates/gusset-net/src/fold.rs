@@ -35,7 +35,7 @@ const STAGE: &str = "detecting folds";
 /// count.
 const MARGIN_BEFORE: f64 = 8.0;
 
-/// The sign of each cell: -1 if it is turned over, otherwise 1. Empty if nothing is folded.
+/// Returns the sign of each cell: -1 if it is turned over, otherwise 1. Empty if nothing is folded.
 ///
 /// Folds divide each connected component of cells into two sides, and the smaller is turned over.
 /// If they do not divide it, because a fold ends within the surface, the cells at the fold are
@@ -88,7 +88,7 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
             .map(move |(next, link, _)| ([shape.cell(i, j), shape.cell(next.0, next.1)], link))
     }
 
-    /// The test of two cells: folded onto each other now, and not before.
+    /// Tests two cells: folded onto each other now, and not before.
     fn test(&self, (cells, link): Pair) -> FoldTest {
         let cells = cells.map(|cell| self.shape.cell_place(cell));
         let before = || test_link(self.old, link, cells, self.tolerance, MARGIN_BEFORE);
@@ -98,14 +98,14 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
         }
     }
 
-    /// True if opposite sides of cell (i, j) cross and did not before.
+    /// Returns true if opposite sides of cell (i, j) cross and did not before.
     fn is_crossed(&self, i: usize, j: usize) -> bool {
         test_cell(self.new, i, j, self.tolerance, 1.0) == FoldTest::Folded
             && test_cell(self.old, i, j, self.tolerance, MARGIN_BEFORE) == FoldTest::Unfolded
             && !self.hidden.contains(i, j)
     }
 
-    /// The side of the folds that each cell is on.
+    /// Returns the side of the folds that each cell is on.
     fn partition(&self, job: &Job<'_>) -> Result<Vec<i8>> {
         let count = self.shape.cell_count();
         let cells = || (0..count as u32).map(|cell| self.shape.cell_place(cell));
@@ -150,7 +150,7 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
     }
 }
 
-/// The error bound of nodes: the tolerance and their rounding.
+/// Returns the error bound of nodes: the tolerance and their rounding.
 fn error<T: Real>(points: &[DVec3], tolerance: f64) -> f64 {
     let epsilon = if T::SCALAR == Scalar::F32 { f64::from(f32::EPSILON) } else { f64::EPSILON };
     let largest = points.iter().fold(0.0, |largest: f64, point| largest.max(point.abs().max_element()));
@@ -159,12 +159,12 @@ fn error<T: Real>(points: &[DVec3], tolerance: f64) -> f64 {
 
 /// Differences of nodes and their error bound, scaled so that products neither overflow nor
 /// underflow.
-fn scaled<const N: usize>(vectors: [DVec3; N], error: f64) -> ([DVec3; N], f64) {
+fn scale_vectors<const N: usize>(vectors: [DVec3; N], error: f64) -> ([DVec3; N], f64) {
     let largest = vectors.iter().fold(0.0, |largest: f64, vector| largest.max(vector.abs().max_element()));
     (vectors.map(|vector| vector / largest), error / largest)
 }
 
-/// The test of two cells at a link: on the same side of it, in one plane.
+/// Tests two cells at a link: on the same side of it, in one plane.
 fn test_link<T: Real>(
     planes: &Planes<'_, T>,
     link: [(usize, usize); 2],
@@ -177,7 +177,7 @@ fn test_link<T: Real>(
     let error = error::<T>(cells.as_flattened(), tolerance);
     // Twice the vectors from the link to the middle of the opposite sides.
     let [u, v] = cells.map(|[a, b, c, d]| (a - p) + (b - p) + (c - q) + (d - q));
-    let ([along, u, v], error) = scaled([q - p, u, v], error);
+    let ([along, u, v], error) = scale_vectors([q - p, u, v], error);
     let [one, other] = [u, v].map(|away| along.cross(away));
     let is_wide = |area: DVec3, away: DVec3| area.length() > 2.0 * error * (along.length() + away.length());
     if !(is_wide(one, u) && is_wide(other, v)) {
@@ -188,7 +188,7 @@ fn test_link<T: Real>(
     if one.dot(other) > 0.0 && one.dot(v).abs() <= off { FoldTest::Folded } else { FoldTest::Unfolded }
 }
 
-/// The test of a cell: two opposite sides cross.
+/// Tests a cell: two opposite sides cross.
 fn test_cell<T: Real>(planes: &Planes<'_, T>, i: usize, j: usize, tolerance: f64, margin: f64) -> FoldTest {
     let points @ [a, b, c, d] = planes.corners(i, j);
     let error = error::<T>(&points, tolerance);
@@ -202,10 +202,10 @@ fn test_cell<T: Real>(planes: &Planes<'_, T>, i: usize, j: usize, tolerance: f64
     }
 }
 
-/// The test of two segments, p q and r s: they cross between their ends, or miss each other by less
-/// than the margin.
+/// Tests two segments, p q and r s: they cross between their ends, or miss each other
+/// by less than the margin.
 fn cross([p, q]: [DVec3; 2], [r, s]: [DVec3; 2], error: f64, margin: f64) -> FoldTest {
-    let ([u, v, across], error) = scaled([q - p, s - r, r - p], error);
+    let ([u, v, across], error) = scale_vectors([q - p, s - r, r - p], error);
     let normal = u.cross(v);
     let (area, size) = (normal.length(), u.length() + v.length());
     let is_wide = area * margin > 2.0 * error * size;

@@ -28,7 +28,7 @@ impl HiddenCells {
         self.rows.items().is_empty()
     }
 
-    /// The ranges of a row of cells, in order; they may overlap.
+    /// Returns the ranges of a row of cells, in order; they may overlap.
     pub(crate) fn row(&self, i: usize) -> &[[u32; 2]] {
         self.rows.get(i)
     }
@@ -38,7 +38,7 @@ impl HiddenCells {
         !self.is_empty() && self.row(i).iter().any(|&[from, to]| (from as usize..to as usize).contains(&j))
     }
 
-    /// The runs of cells of row i that are not hidden, in order.
+    /// Returns the runs of cells of row i that are not hidden, in order.
     pub(crate) fn runs(&self, i: usize) -> impl Iterator<Item = Range<usize>> {
         let end = [self.columns as u32, self.columns as u32];
         let mut next = 0;
@@ -50,7 +50,7 @@ impl HiddenCells {
     }
 }
 
-/// The rows of cells of a bridge, and its range of columns in each.
+/// Returns the rows of cells of a bridge, and its range of columns in each.
 fn ranges(bridge: &Bridge) -> impl Iterator<Item = (usize, [u32; 2])> + Clone {
     let (rows, columns) = bridge.direction.ordered(bridge.first_side()..bridge.at, bridge.start..bridge.end - 1);
     rows.map(move |row| (row as usize, [columns.start, columns.end]))

@@ -53,7 +53,7 @@ impl Coordinates<'_> {
         })
     }
 
-    /// The type.
+    /// Returns the type.
     pub fn scalar(&self) -> Scalar {
         match self {
             Coordinates::F32(_) => Scalar::F32,
@@ -61,7 +61,7 @@ impl Coordinates<'_> {
         }
     }
 
-    /// The size of the matrices.
+    /// Returns the size of the matrices.
     pub fn shape(&self) -> Shape {
         each!(self, planes => planes.shape())
     }
@@ -83,7 +83,7 @@ impl Coordinates<'_> {
         each!(self, planes => planes.is_borrowed())
     }
 
-    /// An owned copy, bit for bit.
+    /// Returns an owned copy, bit for bit.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
@@ -107,7 +107,7 @@ pub struct Net<'a> {
 }
 
 impl<'a> Net<'a> {
-    /// A net of coordinates and a topology of the same size.
+    /// Returns a net of coordinates and a topology of the same size.
     ///
     /// # Panics
     /// If the sizes differ.
@@ -116,7 +116,7 @@ impl<'a> Net<'a> {
         Net { coordinates, topology, bridges: Vec::new() }
     }
 
-    /// A net from a function of row and column.
+    /// Returns a net from a function of row and column.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
@@ -133,22 +133,22 @@ impl<'a> Net<'a> {
         Ok(Net::new(coordinates, topology))
     }
 
-    /// The size.
+    /// Returns the size.
     pub fn shape(&self) -> Shape {
         self.topology.shape()
     }
 
-    /// The coordinate matrices.
+    /// Returns the coordinate matrices.
     pub fn coordinates(&self) -> &Coordinates<'a> {
         &self.coordinates
     }
 
-    /// The coordinate matrices, mutable.
+    /// Returns the coordinate matrices, mutable.
     pub fn coordinates_mut(&mut self) -> &mut Coordinates<'a> {
         &mut self.coordinates
     }
 
-    /// The gluing.
+    /// Returns the gluing.
     pub fn topology(&self) -> &Topology {
         &self.topology
     }
@@ -162,12 +162,12 @@ impl<'a> Net<'a> {
         self.topology = topology;
     }
 
-    /// The bridges between the nets from which this one was joined.
+    /// Returns the bridges between the nets from which this one was joined.
     pub fn bridges(&self) -> &[Bridge] {
         &self.bridges
     }
 
-    /// The bridges, mutable.
+    /// Returns the bridges, mutable.
     pub fn bridges_mut(&mut self) -> &mut Vec<Bridge> {
         &mut self.bridges
     }
@@ -178,15 +178,15 @@ impl<'a> Net<'a> {
         self.coordinates.get(i, j)
     }
 
-    /// The position of a node in double precision.
+    /// Returns the position of a node in double precision.
     #[inline]
     pub(crate) fn position(&self, node: u32) -> DVec3 {
         let (i, j) = self.shape().place(node);
         self.get(i, j)
     }
 
-    /// A copy with coordinates of the given type. Rounding to single precision keeps glued nodes
-    /// equal; a coordinate that overflows becomes infinite, and the node missing.
+    /// Returns a copy with coordinates of the given type. Rounding to single precision keeps glued
+    /// nodes equal; a coordinate that overflows becomes infinite, and the node missing.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
@@ -203,7 +203,7 @@ impl<'a> Net<'a> {
         Ok(Net { coordinates, topology: self.topology.copied()?, bridges })
     }
 
-    /// An owned copy.
+    /// Returns an owned copy.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).

@@ -21,9 +21,9 @@ pub enum MorphPath {
     Rigid,
 }
 
-/// The net between `a` and `b` at the time `t`, from 0 to 1. At 0 it has the bits of `a`, at 1 the
-/// bits of `b`. A node that is missing in either is missing in between. Gluing, bridges and their
-/// properties come from `a`.
+/// Returns the net between `a` and `b` at the time `t`, from 0 to 1. At 0 it has the bits of `a`,
+/// at 1 the bits of `b`. A node that is missing in either is missing in between. Gluing, bridges
+/// and their properties come from `a`.
 ///
 /// For [`MorphPath::Rigid`], let ma and mb be the means of the nodes that both nets have, and R the
 /// rotation that minimises the sum of |R (a - ma) - (b - mb)|^2. Nodes are at (1 - t) ma + t mb +

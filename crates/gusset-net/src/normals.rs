@@ -27,7 +27,8 @@ const CLASSES_PER_TASK: usize = 1 << 10;
 
 const STAGE: &str = "normals";
 
-/// The unit normals of a net, and the number of nodes without a normal; see [`normals_into`].
+/// Returns the unit normals of a net, and the number of nodes without a normal; see
+/// [`normals_into`].
 ///
 /// # Errors
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -65,7 +66,7 @@ fn write<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, out: &mut Planes<'_, T>
     job.step(0.0, STAGE)?;
     let corners = CornerSums::new(net, planes)?;
     let without: u64 = rows(&corners, out, &job.part(0.0, 0.8))?.into_iter().sum();
-    Ok(without + glued(&corners, out, &job.part(0.8, 1.0))?)
+    Ok(without + write_glued(&corners, out, &job.part(0.8, 1.0))?)
 }
 
 /// The data for sums over the corners at a node.
@@ -106,8 +107,8 @@ impl<'a, T: Real> CornerSums<'a, T> {
         DVec3::from_array(self.matrices.map(|matrix| matrix[at].into()))
     }
 
-    /// The sum over the corners of the existing cells at node (i, j). If several corners of a cell
-    /// belong to one vertex, the cell counts once, at the first of them.
+    /// Returns the sum over the corners of the existing cells at node (i, j). If several corners of
+    /// a cell belong to one vertex, the cell counts once, at the first of them.
     fn sum(&self, i: usize, j: usize) -> VectorSum {
         let shape = self.planes.shape();
         let mut sum = VectorSum::default();
@@ -122,8 +123,8 @@ impl<'a, T: Real> CornerSums<'a, T> {
         sum
     }
 
-    /// The cross product of the sides at a corner of cell (i, j); zero if the cell is missing or
-    /// reduced to a line or a point.
+    /// Returns the cross product of the sides at a corner of cell (i, j); zero if the cell is
+    /// missing or reduced to a line or a point.
     fn corner(&self, i: usize, j: usize, corner: usize) -> DVec3 {
         let points = corner_places(i, j).map(|(i, j)| self.point(i, j));
         if !points.iter().all(|point| point.is_finite()) {
@@ -141,7 +142,7 @@ impl<'a, T: Real> CornerSums<'a, T> {
         (other(1) - points[corner]).cross(other(3) - points[corner])
     }
 
-    /// The unit vector along a sum, or zero if the terms cancel up to rounding.
+    /// Returns the unit vector along a sum, or zero if the terms cancel up to rounding.
     fn unit(&self, sum: VectorSum) -> DVec3 {
         // Scaled first, as squares of small sums would underflow.
         let largest = sum.vector.abs().max_element();
@@ -179,8 +180,8 @@ impl VectorSum {
     }
 }
 
-/// The normals of all nodes that are not glued; inner nodes use the fast path. Returns the number
-/// of nodes without a normal for each block.
+/// Writes the normals of all nodes that are not glued; inner nodes use the fast path. Returns the
+/// number of nodes without a normal for each block.
 fn rows<T: Real>(corners: &CornerSums<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<Vec<u64>> {
     let (shape, stride) = (out.shape(), out.stride());
     let lines = lines_per_block(stride);
@@ -191,7 +192,7 @@ fn rows<T: Real>(corners: &CornerSums<'_, T>, out: &mut Planes<'_, T>, job: &Job
     })
 }
 
-/// The normals of row i.
+/// Writes the normals of row i.
 fn row<T: Real>(corners: &CornerSums<'_, T>, i: usize, mut out: [&mut [T]; 3]) -> u64 {
     let shape = corners.planes.shape();
     let (h, w) = (shape.rows(), shape.columns());
@@ -228,9 +229,9 @@ fn row<T: Real>(corners: &CornerSums<'_, T>, i: usize, mut out: [&mut [T]; 3]) -
     without
 }
 
-/// The normals of glued nodes, from the sum over all nodes of each class. Returns the number of
-/// nodes without a normal.
-fn glued<T: Real>(corners: &CornerSums<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<u64> {
+/// Writes the normals of glued nodes, from the sum over all nodes of each class. Returns the
+/// number of nodes without a normal.
+fn write_glued<T: Real>(corners: &CornerSums<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<u64> {
     let (shape, groups) = (out.shape(), &corners.groups);
     let places = |k: usize| groups.get(k).iter().map(|&node| shape.place(node));
     let mut normals = alloc::zeroed(groups.len())?;
@@ -270,7 +271,7 @@ impl<T: Real> Kernel for Differences<'_, T> {
     }
 }
 
-/// A separate function, because only arguments are known not to alias.
+/// This is a separate function, because only arguments are known not to alias.
 #[inline(always)]
 fn differences<T: Real>(
     [north, middle, south]: [[&[T]; 3]; 3],

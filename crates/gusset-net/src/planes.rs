@@ -42,7 +42,7 @@ enum Store<'a, T> {
     Borrowed([&'a mut [T]; 3]),
 }
 
-/// The first chunk at the start of a cache line.
+/// Returns the first chunk at the start of a cache line.
 fn first_aligned(chunks: &[AlignedChunk]) -> usize {
     chunks.as_ptr().align_offset(CACHE_LINE).min(CHUNKS_PER_LINE - 1)
 }
@@ -111,7 +111,7 @@ impl<'a, T: Real> Planes<'a, T> {
         Ok(Planes { shape, stride, store })
     }
 
-    /// The numbers that one matrix spans.
+    /// Returns the numbers that one matrix spans.
     ///
     /// # Errors
     /// [`Error::StrideTooSmall`], [`Error::SizeOverflow`].
@@ -127,7 +127,7 @@ impl<'a, T: Real> Planes<'a, T> {
             .ok_or(Error::SizeOverflow { what: "coordinates", count: shape.node_count() as u64 })
     }
 
-    /// The size of the matrices.
+    /// Returns the size of the matrices.
     #[inline]
     pub fn shape(&self) -> Shape {
         self.shape
@@ -145,7 +145,7 @@ impl<'a, T: Real> Planes<'a, T> {
         matches!(self.store, Store::Borrowed(_))
     }
 
-    /// The matrices X, Y, Z, with the gaps between their rows.
+    /// Returns the matrices X, Y, Z, with the gaps between their rows.
     pub fn matrices(&self) -> [&[T]; 3] {
         let length = (self.shape.rows() - 1) * self.stride + self.shape.columns();
         match &self.store {
@@ -191,7 +191,7 @@ impl<'a, T: Real> Planes<'a, T> {
         DVec3::new(x, y, z)
     }
 
-    /// The corners of cell (i, j), in the order of [`Shape::corners`].
+    /// Returns the corners of cell (i, j), in the order of [`Shape::corners`].
     #[inline]
     pub(crate) fn corners(&self, i: usize, j: usize) -> [DVec3; 4] {
         corner_places(i, j).map(|(i, j)| self.get(i, j))
@@ -206,7 +206,7 @@ impl<'a, T: Real> Planes<'a, T> {
         }
     }
 
-    /// An owned copy, bit for bit.
+    /// Returns an owned copy, bit for bit.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -215,7 +215,7 @@ impl<'a, T: Real> Planes<'a, T> {
         self.converted(<[T]>::copy_from_slice)
     }
 
-    /// A copy in another type; `convert` writes a row of one coordinate.
+    /// Returns a copy in another type; `convert` writes a row of one coordinate.
     pub(crate) fn converted<B: Real>(&self, convert: impl Fn(&mut [B], &[T])) -> Result<Planes<'static, B>> {
         let mut copy = Planes::zeroed(self.shape)?;
         for i in 0..self.shape.rows() {

@@ -31,7 +31,7 @@ pub trait Real:
     /// Rounds to this type.
     fn from_f64(value: f64) -> Self;
 
-    /// The square root, correctly rounded.
+    /// Returns the square root, correctly rounded.
     #[must_use]
     fn sqrt(self) -> Self;
 }

@@ -54,7 +54,7 @@ impl Net<'_> {
         let map = Rearrangement::Selection { rows: &old_indices(&row_starts)?, columns: &old_indices(&column_starts)? };
         let mut net = self.rearranged(&map, topology, job)?;
         for bridge in self.bridges() {
-            let bridge = bridge.moved(|i| row_starts[i as usize], |j| column_starts[j as usize]);
+            let bridge = bridge.with_moved_lines(|i| row_starts[i as usize], |j| column_starts[j as usize]);
             alloc::push(net.bridges_mut(), bridge)?;
         }
         Ok(net)
@@ -75,7 +75,7 @@ impl Net<'_> {
         net.without_lines(Direction::Right, &columns, &job.part(0.5, 1.0))
     }
 
-    /// The rows (`Down`) or columns that duplicate the previous one.
+    /// Returns the rows (`Down`) or columns that duplicate the previous one.
     fn duplicate_lines(&self, axis: Direction) -> Result<Vec<u32>> {
         let count = axis.extent(self.shape()).0;
         let mut needed = alloc::filled(false, count)?;
@@ -96,8 +96,8 @@ impl Net<'_> {
         Ok(found)
     }
 
-    /// The net without some of its rows (`Down`) or columns, given by ascending indices; at least
-    /// two are left.
+    /// Returns the net without some of its rows (`Down`) or columns, given by ascending indices; at
+    /// least two are left.
     pub(crate) fn without_lines(&self, axis: Direction, removed: &[u32], job: &Job<'_>) -> Result<Net<'static>> {
         if removed.is_empty() {
             return self.copied();
@@ -108,8 +108,8 @@ impl Net<'_> {
         let place = |i: u32| kept.partition_point(|&k| k < i) as u32;
         for bridge in self.bridges() {
             let bridge = match axis {
-                Direction::Down => bridge.moved(place, |j| j),
-                Direction::Right => bridge.moved(|i| i, place),
+                Direction::Down => bridge.with_moved_lines(place, |j| j),
+                Direction::Right => bridge.with_moved_lines(|i| i, place),
             };
             if bridge.at > bridge.rows && bridge.end > bridge.start + 1 {
                 alloc::push(net.bridges_mut(), bridge)?;
@@ -118,7 +118,8 @@ impl Net<'_> {
         Ok(net)
     }
 
-    /// The nodes of a list of rows (`Down`) or columns under a new topology; without bridges.
+    /// Returns the nodes of a list of rows (`Down`) or columns under a new topology; without
+    /// bridges.
     pub(crate) fn with_lines(
         &self,
         axis: Direction,
@@ -133,9 +134,9 @@ impl Net<'_> {
 }
 
 impl Bridge {
-    /// The bridge in a net whose rows and columns move. An end moves like the line that it
+    /// Returns the bridge in a net whose rows and columns move. An end moves like the line that it
     /// excludes.
-    fn moved(&self, row: impl Fn(u32) -> u32, column: impl Fn(u32) -> u32) -> Bridge {
+    fn with_moved_lines(&self, row: impl Fn(u32) -> u32, column: impl Fn(u32) -> u32) -> Bridge {
         let inner = self.at - self.rows;
         let (at, inner, start, end) = match self.direction {
             Direction::Right => (column(self.at), column(inner), row(self.start), row(self.end)),
@@ -145,8 +146,8 @@ impl Bridge {
     }
 }
 
-/// The start of each row (`Down`) or column after enlarging to `count`; one entry more than there
-/// are now. `option` names the count in an error.
+/// Returns the start of each row (`Down`) or column after enlarging to `count`; one entry more than
+/// there are now. `option` names the count in an error.
 pub(crate) fn starts(
     topology: &Topology,
     axis: Direction,
@@ -183,7 +184,7 @@ pub(crate) fn starts(
     sums(times.into_iter())
 }
 
-/// The prefix sums of a list, starting with 0.
+/// Returns the prefix sums of a list, starting with 0.
 pub(crate) fn sums<T: Copy + Default + Add<Output = T>>(items: impl ExactSizeIterator<Item = T>) -> Result<Vec<T>> {
     let mut sums = alloc::filled(T::default(), items.len() + 1)?;
     for (k, item) in items.enumerate() {
@@ -192,24 +193,24 @@ pub(crate) fn sums<T: Copy + Default + Add<Output = T>>(items: impl ExactSizeIte
     Ok(sums)
 }
 
-/// The old index of each new row.
+/// Returns the old index of each new row.
 fn old_indices(starts: &[u32]) -> Result<Vec<u32>> {
     alloc::gather((0..).zip(starts.windows(2)).flat_map(|(i, ends)| (ends[0]..ends[1]).map(move |_| i)))
 }
 
-/// The new rows that are copies of the previous one.
+/// Returns the new rows that are copies of the previous one.
 pub(crate) fn copies(starts: &[u32]) -> Result<Vec<u32>> {
     alloc::gather(starts.windows(2).flat_map(|ends| ends[0] + 1..ends[1]))
 }
 
-/// The starts of rows among `count`, given which are copies.
+/// Returns the starts of rows among `count`, given which are copies.
 pub(crate) fn starts_of_copies(count: usize, copies: &[u32]) -> Result<Vec<u32>> {
     let mut starts = complement(count, copies)?;
     alloc::push(&mut starts, count as u32)?;
     Ok(starts)
 }
 
-/// The numbers of 0..count that an ascending list does not contain.
+/// Returns the numbers of 0..count that an ascending list does not contain.
 fn complement(count: usize, removed: &[u32]) -> Result<Vec<u32>> {
     let mut removed = removed.iter().peekable();
     alloc::gather((0..count as u32).filter(|i| removed.next_if_eq(&i).is_none()))
@@ -287,8 +288,8 @@ impl Topology {
     }
 }
 
-/// A seam from column to column within the same rows, as closed rows of a net within a larger one
-/// make, extended through all copies.
+/// Returns a seam from column to column within the same rows, as closed rows of a net within a
+/// larger one make, extended through all copies.
 fn along_rows(seam: Seam, starts: &[u32]) -> Option<Seam> {
     let Seam { a, b, count } = seam;
     let same = a.row == b.row && a.row_step == b.row_step && a.column_step == 0 && b.column_step == 0;
@@ -302,7 +303,7 @@ fn along_rows(seam: Seam, starts: &[u32]) -> Option<Seam> {
 }
 
 impl<T: Real> Planes<'_, T> {
-    /// True if row i (`Down`) or column i has the bits of the one before.
+    /// Returns true if row i (`Down`) or column i has the bits of the one before.
     fn is_duplicate_line(&self, axis: Direction, i: usize) -> bool {
         let stride = self.stride();
         self.matrices().into_iter().all(|matrix| match axis {

@@ -75,7 +75,7 @@ impl SplitVertices {
         Ok(SplitVertices { nodes, split })
     }
 
-    /// The components that move, and their new positions.
+    /// Returns the components that move, and their new positions.
     fn moves(&self, net: &Net<'_>, before: &Classes, step: f64) -> Result<Vec<(Vec<u32>, DVec3)>> {
         let mut moves = Vec::new();
         for component in self.nodes.chunk_by(|a, b| a[1] == b[1]) {
@@ -88,8 +88,8 @@ impl SplitVertices {
         Ok(moves)
     }
 
-    /// The sum of the links that lead out of the vertex of a component. If `whole`, only links to
-    /// vertices that stay whole count.
+    /// Returns the sum of the links that lead out of the vertex of a component. If `whole`, only
+    /// links to vertices that stay whole count.
     fn sum_of_links(&self, net: &Net<'_>, before: &Classes, component: &[[u32; 3]], whole: bool) -> DVec3 {
         let out = |&(node, neighbour): &(u32, u32)| {
             before.representative(neighbour) != before.representative(node)
@@ -102,7 +102,7 @@ impl SplitVertices {
     }
 }
 
-/// The nodes next to a node, without closing links.
+/// Returns the nodes next to a node, without closing links.
 fn neighbours(shape: Shape, node: u32) -> impl Iterator<Item = u32> {
     let ((i, j), w) = (shape.place(node), shape.columns() as u32);
     let around = [

@@ -37,25 +37,25 @@ impl Shape {
         Ok(Shape { rows: h as u32, columns: w as u32 })
     }
 
-    /// The number of rows, H.
+    /// Returns the number of rows, H.
     #[inline]
     pub fn rows(self) -> usize {
         self.rows as usize
     }
 
-    /// The number of columns, W.
+    /// Returns the number of columns, W.
     #[inline]
     pub fn columns(self) -> usize {
         self.columns as usize
     }
 
-    /// The number of nodes, H x W.
+    /// Returns the number of nodes, H x W.
     #[inline]
     pub fn node_count(self) -> usize {
         self.rows() * self.columns()
     }
 
-    /// The number of cells, (H - 1) x (W - 1).
+    /// Returns the number of cells, (H - 1) x (W - 1).
     #[inline]
     pub fn cell_count(self) -> usize {
         (self.rows() - 1) * (self.columns() - 1)
@@ -67,7 +67,7 @@ impl Shape {
         (i * self.columns() + j) as u32
     }
 
-    /// Row and column of a node.
+    /// Returns row and column of a node.
     #[inline]
     pub fn place(self, node: u32) -> (usize, usize) {
         ((node / self.columns) as usize, (node % self.columns) as usize)
@@ -79,33 +79,34 @@ impl Shape {
         (i * (self.columns() - 1) + j) as u32
     }
 
-    /// Row and column of the first corner of a cell.
+    /// Returns row and column of the first corner of a cell.
     #[inline]
     pub fn cell_place(self, cell: u32) -> (usize, usize) {
         let columns = self.columns - 1;
         ((cell / columns) as usize, (cell % columns) as usize)
     }
 
-    /// The corners of the cell at (i, j): the nodes (i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j).
+    /// Returns the corners of the cell at (i, j): the nodes (i, j), (i, j + 1), (i + 1, j + 1),
+    /// (i + 1, j).
     #[inline]
     pub fn corners(self, i: usize, j: usize) -> [u32; 4] {
         let a = self.node(i, j);
         [a, a + 1, a + self.columns + 1, a + self.columns]
     }
 
-    /// The link from node (i, j) to the next node of its row.
+    /// Returns the link from node (i, j) to the next node of its row.
     #[inline]
     pub fn horizontal_link(self, i: usize, j: usize) -> u32 {
         2 * self.node(i, j)
     }
 
-    /// The link from node (i, j) to the next node of its column.
+    /// Returns the link from node (i, j) to the next node of its column.
     #[inline]
     pub fn vertical_link(self, i: usize, j: usize) -> u32 {
         2 * self.node(i, j) + 1
     }
 
-    /// The two nodes of a link; closing links end in the first column or row.
+    /// Returns the two nodes of a link; closing links end in the first column or row.
     pub fn ends(self, link: u32) -> [u32; 2] {
         let node = link / 2;
         let (i, j) = self.place(node);
@@ -118,7 +119,7 @@ impl Shape {
         [node, end]
     }
 
-    /// The links between two nodes: at most one, or two in a net of two rows or columns.
+    /// Returns the links between two nodes: at most one, or two in a net of two rows or columns.
     pub(crate) fn links_between(self, [a, b]: [u32; 2]) -> impl Iterator<Item = u32> {
         [2 * a, 2 * a + 1, 2 * b, 2 * b + 1].into_iter().filter(move |&link| {
             let ends = self.ends(link);
@@ -133,7 +134,7 @@ impl Shape {
         if link & 1 == 0 { j + 1 < self.columns() } else { i + 1 < self.rows() }
     }
 
-    /// The size with rows and columns exchanged.
+    /// Returns the size with rows and columns exchanged.
     #[must_use]
     #[inline]
     pub fn transposed(self) -> Self {
@@ -153,13 +154,13 @@ impl Shape {
     }
 }
 
-/// Row and column of the corners of the cell at (i, j), in the order of [`Shape::corners`].
+/// Returns row and column of the corners of the cell at (i, j), in the order of [`Shape::corners`].
 #[inline]
 pub(crate) fn corner_places(i: usize, j: usize) -> [(usize, usize); 4] {
     [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)]
 }
 
-/// A pair of nodes or classes without regard to order: the smaller first.
+/// Returns a pair of nodes or classes without regard to order: the smaller first.
 pub(crate) fn sorted_pair([a, b]: [u32; 2]) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }

@@ -94,7 +94,7 @@ impl Net<'_> {
     }
 }
 
-/// The links between neighbours that belong to one class but are not contracted by name.
+/// Returns the links between neighbours that belong to one class but are not contracted by name.
 fn loops(topology: &Topology, classes: &Classes) -> Result<Vec<u32>> {
     let shape = topology.shape();
     let mut loops = Vec::new();
@@ -107,7 +107,7 @@ fn loops(topology: &Topology, classes: &Classes) -> Result<Vec<u32>> {
     Ok(loops)
 }
 
-/// The first link that closes a row of fewer than four nodes, and a column.
+/// Returns the first link that closes a row of fewer than four nodes, and a column.
 fn few_nodes(topology: &Topology) -> impl Iterator<Item = u32> {
     let shape: Shape = topology.shape();
     let (h, w) = (shape.rows(), shape.columns());

@@ -5,7 +5,7 @@ use super::abi::{Handle, MAIN_OUTPUT, MESSAGE_ERROR, MESSAGE_LOG, PROP_TIME, Sta
 use super::effects::{Effect, Knob, KnobKind, SUIT};
 use super::meshes::{self, HostMeshData, Polygons};
 use super::suites::{Fault, HostMesh, Parameters, Suites};
-use gusset::capi::guard::caught;
+use gusset::capi::guard::catch_panic;
 use gusset::capi::status::{Failure, gusset_status};
 use gusset::error::Error;
 use gusset::filters::data::{Curves, Input, InputKind, Output};
@@ -33,7 +33,7 @@ impl Progress for Watch<'_> {
 /// Runs the action `OfxMeshEffectActionCook`.
 pub(super) fn cook(effect: &Effect, suites: &Suites, instance: Handle, in_args: Handle) -> Result<(), Status> {
     let time = suites.properties(in_args).double(PROP_TIME).unwrap_or(0.0);
-    caught(|| run_filter(effect, suites, instance, time)).map_err(|fault| match fault {
+    catch_panic(|| run_filter(effect, suites, instance, time)).map_err(|fault| match fault {
         Fault::Host(status) => status,
         Fault::Ours(Failure { status: gusset_status::GUSSET_ERROR_OUT_OF_MEMORY, .. }) => Status::MEMORY,
         // The host itself asked to stop, so it gets no message.

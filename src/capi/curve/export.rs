@@ -26,7 +26,7 @@ pub const GUSSET_CURVE_FORMAT_SPLINE: gusset_curve_format = 2;
 /// An exported curve.
 #[derive(Default)]
 pub struct gusset_curve_form {
-    /// With a 0 at the end.
+    /// The text with a closing 0.
     text: Vec<u8>,
     points: Vec<DVec3>,
     on_curve: Vec<u8>,

@@ -37,7 +37,7 @@ pub struct gusset_frame {
     pub(crate) along: Tagged<gusset_outline>,
     options: Options,
     options_along: Options,
-    /// Whether the sections are closed, and whether the last one is followed by the first.
+    /// Whether the sections are closed, and whether the first section follows the last.
     pub(crate) closed: bool,
     pub(crate) ring: bool,
 }

@@ -76,7 +76,7 @@ fn list(places: impl ExactSizeIterator<Item = Place>) -> Result<Vec<gusset_place
 }
 
 impl gusset_places {
-    fn of_plane_intersections(
+    fn from_plane_intersections(
         found: PlaneIntersections,
         curve: &CurveView<'_>,
         job: &Job<'_>,
@@ -86,15 +86,15 @@ impl gusset_places {
         Ok(gusset_places { places, points, inside: found.inside, ..Self::default() })
     }
 
-    fn of_tangent_angles(found: TangentAngles, curve: &CurveView<'_>, job: &Job<'_>) -> Result<Self, Failure> {
+    fn from_tangent_angles(found: TangentAngles, curve: &CurveView<'_>, job: &Job<'_>) -> Result<Self, Failure> {
         let points = curve.points_at(&found.places, job)?;
         let part = |[from, to]: [Place; 2]| [from, to, from, to].map(gusset_place::from);
         let overlaps = alloc::collect(found.intervals.into_iter().map(part))?;
         Ok(gusset_places { places: list(found.places.into_iter())?, points, overlaps, ..Self::default() })
     }
 
-    /// Places on `curve` and on another.
-    pub(crate) fn of_meetings(found: &NearMisses, curve: &CurveView<'_>, job: &Job<'_>) -> Result<Self, Failure> {
+    /// Places on `curve` and on another curve.
+    pub(crate) fn from_meetings(found: &NearMisses, curve: &CurveView<'_>, job: &Job<'_>) -> Result<Self, Failure> {
         let NearMisses { places, overlaps, undecided } = found;
         let at = alloc::collect(places.iter().map(|near| near.a))?;
         let ends = |part: &Overlap| [part.a[0], part.a[1], part.b[0], part.b[1]].map(gusset_place::from);
@@ -129,7 +129,7 @@ pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
     create(context, places, "places", |job| {
         let (view, point, normal) =
             (view(curve, "curve")?, input::vector(point, "point")?, input::vector(normal, "normal")?);
-        gusset_places::of_plane_intersections(
+        gusset_places::from_plane_intersections(
             view.intersect_plane(point, normal, &job.part(0.0, 0.9))?,
             &view,
             &job.part(0.9, 1.0),
@@ -164,7 +164,7 @@ pub unsafe extern "C" fn gusset_curve_intersect_create(
         let one = view(curve, "curve")?;
         let other = (!other.is_null()).then(|| view(other, "other")).transpose()?;
         let found = one.meetings(other.as_ref(), within, &job.part(0.0, 0.9))?;
-        gusset_places::of_meetings(&found, &one, &job.part(0.9, 1.0))
+        gusset_places::from_meetings(&found, &one, &job.part(0.9, 1.0))
     })
 }
 
@@ -191,7 +191,7 @@ pub unsafe extern "C" fn gusset_curve_tangent_angle_create(
 ) -> gusset_status {
     create(context, places, "places", |job| {
         let (view, direction) = (view(curve, "curve")?, input::vector(direction, "direction")?);
-        gusset_places::of_tangent_angles(
+        gusset_places::from_tangent_angles(
             view.tangents_at_angle(direction, angle, &job.part(0.0, 0.9))?,
             &view,
             &job.part(0.9, 1.0),

@@ -10,7 +10,7 @@ use crate::curve::{CurveView, Place};
 use crate::job::Job;
 use glam::DVec3;
 
-/// Places that are measured between two progress reports.
+/// Places measured between two progress reports.
 const PLACES_PER_REPORT: usize = 1 << 8;
 
 /// Nearest point of a curve.
@@ -71,7 +71,7 @@ pub struct gusset_curve_measures {
 versioned! { gusset_curve_measures: 168 }
 fixed! { gusset_curve_nearest_point: 48 }
 
-/// Answers a question about a curve at many places.
+/// Computes a value at many places of a curve.
 fn at_places(
     context: *const gusset_context,
     curve: *const gusset_curve,
@@ -125,7 +125,7 @@ pub unsafe extern "C" fn gusset_curve_evaluate(
         let points = share(0).map(|job| curve.derivatives_at(places, order as usize, &job)).transpose()?;
         let directions = share(1).map(|job| curve.tangents_at(places, &job)).transpose()?;
         let bends = share(2).map(|job| curve.curvatures_at(places, &job)).transpose()?;
-        // All outputs are checked before anything is written.
+        // Check all outputs before writing any.
         let points = points.map(|points| room(derivatives, (points.len(), 3), "derivatives", points)).transpose()?;
         let directions = directions.map(|made| room(tangents, (count, 3), "tangents", made)).transpose()?;
         if let Some((bends, out)) = bends.map(|made| room(curvatures, (count, 1), "curvatures", made)).transpose()? {

@@ -81,17 +81,17 @@ impl gusset_place {
     }
 }
 
-/// The caller's places, at any alignment.
+/// Reads the caller's places, at any alignment.
 pub(crate) fn places(data: *const gusset_place, count: usize, name: &'static str) -> Result<Vec<Place>, Failure> {
     alloc::try_collect(input::items(data, count, name)?.map(gusset_place::checked))
 }
 
-/// The caller's points: x, y, z of each, packed.
+/// Reads the caller's packed points: x, y, z of each.
 pub(crate) fn points(data: *const f64, count: usize, dimension: usize) -> Result<Vec<DVec3>, Failure> {
     named_points(data, (count, dimension), "points")
 }
 
-/// The caller's points of a dimension, packed.
+/// Reads the caller's packed points of a given dimension.
 fn named_points(
     data: *const f64,
     (count, dimension): (usize, usize),
@@ -103,7 +103,7 @@ fn named_points(
     Ok(alloc::collect((0..count).map(|i| points.get(i)))?)
 }
 
-/// The view of a curve of the caller's.
+/// Returns a view of the caller's curve.
 pub(crate) fn view<'a>(curve: *const gusset_curve, name: &'static str) -> Result<CurveView<'a>, Failure> {
     Ok(handle::get(curve, name)?.0.view())
 }
@@ -141,7 +141,8 @@ pub unsafe extern "C" fn gusset_curve_create(
     create(context, curve, "curve", |job| {
         let controls = named_points(controls, (control_count, dimension as usize), "controls")?;
         if end_count == 0 || end_count > control_count.max(1) {
-            let message = format!("{control_count} control points have 1 to as many ends, and not {end_count}");
+            let message =
+                format!("end_count is {end_count}; {control_count} control points need 1 to {control_count} ends");
             return Err(Failure { value: end_count as f64, ..Failure::new(GUSSET_ERROR_BAD_OFFSETS, message) });
         }
         let ends = input::list(ends, end_count, "ends")?;
@@ -177,7 +178,7 @@ pub unsafe extern "C" fn gusset_curve_get_view(
     })
 }
 
-/// The product of counts, for buffers of `what`.
+/// Returns the product of two counts; `what` names the buffer in the error.
 pub(crate) fn times(count: usize, each: usize, what: &'static str) -> Result<usize, Failure> {
     let product = count.checked_mul(each);
     product

@@ -73,7 +73,7 @@ pub struct gusset_outline(pub(crate) Fit);
 handle! { gusset_outline }
 
 impl gusset_outline {
-    /// Its curve of that number.
+    /// Returns the curve of outline `index`.
     pub(crate) fn curve(&self, index: usize) -> Result<CurveView<'_>, Failure> {
         if index < self.0.len() { Ok(self.0.curve(index)) } else { Err(Failure::no_such("outline", index)) }
     }
@@ -152,7 +152,7 @@ versioned! {
 }
 fixed! { gusset_constraint: 32 }
 
-/// The caller's outlines: the points where they are, the rest copied.
+/// The caller's outlines: the points in place, everything else copied.
 pub(crate) struct Given<'a> {
     points: Points<'a>,
     offsets: Option<Vec<u32>>,
@@ -353,7 +353,7 @@ pub unsafe extern "C" fn gusset_outlines_find_sections(
     })
 }
 
-/// The caller's buffer for `each` numbers a point; none if it is NULL.
+/// Returns the caller's buffer for `each` numbers a point; `None` if it is NULL.
 fn room<'a, T: bytemuck::Pod>(
     out: *mut T,
     (count, each): (usize, usize),

@@ -188,7 +188,7 @@ pub struct gusset_outline_options {
 
 versioned! { gusset_outline_options: 80 }
 
-/// The method of the options.
+/// Converts the method in the options.
 pub(crate) fn method(options: &gusset_outline_options) -> Result<Method, Failure> {
     match options.method {
         GUSSET_METHOD_BISECTOR => Ok(Method::Bisector),

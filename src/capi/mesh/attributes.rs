@@ -144,8 +144,7 @@ pub unsafe extern "C" fn gusset_attributes_apply(
     })
 }
 
-/// What [`gusset_attributes_apply`] does, with channel, inputs and room for values as a caller
-/// gives them.
+/// The body of [`gusset_attributes_apply`], with the caller's channel, inputs and room for values.
 pub(crate) fn carry_over(
     origins: &Origins,
     given: gusset_channel,
@@ -163,7 +162,7 @@ pub(crate) fn carry_over(
             other => other,
         })?
         .with_max_influences(given.max_influences);
-    // Before any of them is read.
+    // Check the count before reading any of them.
     let inputs_needed = origins.inputs().len();
     if input_count != inputs_needed {
         return Err(Error::InputsDiffer { given: input_count as u64, needed: inputs_needed as u64 }.into());
@@ -171,7 +170,7 @@ pub(crate) fn carry_over(
     let room = Strided::span(count, stride, channel.size(), "values")?;
     let room_range = values as usize..(values as usize).saturating_add(room);
     for k in 0..input_count {
-        let of_input = |failure: Failure| failure.of_input(k as u32);
+        let of_input = |failure: Failure| failure.with_input(k as u32);
         let one = input::reference(inputs.wrapping_add(k), "inputs").map_err(of_input)?;
         if one.values.is_null() && one.count == 0 {
             channel.push_missing()?;
@@ -182,13 +181,13 @@ pub(crate) fn carry_over(
         let bytes = input::bytes(one.values, size, 1, "values").map_err(of_input)?;
         let range = bytes.as_ptr_range();
         if !bytes.is_empty() && (range.start as usize) < room_range.end && room_range.start < range.end as usize {
-            return Err(of_input(Failure::new(GUSSET_ERROR_OVERLAP, "values overlap those of an input")));
+            return Err(of_input(Failure::new(GUSSET_ERROR_OVERLAP, "values overlaps the values of an input")));
         }
         channel.push(bytes, one.stride, one.count)?;
     }
     let needed = origins.table(domain).len();
     if count < needed {
-        let message = format!("values has room for {count} elements and {needed} are needed");
+        let message = format!("values has room for {count} elements, but {needed} are needed");
         return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
     }
     let out = input::results(values.cast::<u8>(), room, "values")?;

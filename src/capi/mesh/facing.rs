@@ -78,12 +78,12 @@ impl gusset_facing_options {
     }
 }
 
-/// The first place of a run, and its number of vertices.
+/// Returns the first place of a run, and its number of vertices.
 fn pair(arc: &Arc) -> [u32; 2] {
     [arc.first as u32, arc.count as u32]
 }
 
-/// Packed points of the caller's.
+/// Reads the caller's packed points.
 pub(crate) fn points(data: *const f64, count: usize, name: &'static str) -> Result<Vec<DVec3>, Failure> {
     Error::check_count(name, count as u64, MAX_ELEMENTS)?;
     Ok(alloc::collect(input::items(data.cast(), count, name)?.map(DVec3::from_array))?)
@@ -111,7 +111,7 @@ pub unsafe extern "C" fn gusset_facing_create(
     create(context, facing, "facing", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         let a = points(points_a, count_a, "points_a")?;
-        let b = points(points_b, count_b, "points_b").map_err(|failure| failure.of_input(1))?;
+        let b = points(points_b, count_b, "points_b").map_err(|failure| failure.with_input(1))?;
         let found = self::facing(&a, &b, &options, job)?;
         let pairs = |arcs: &[Arc]| alloc::collect(arcs.iter().map(pair));
         let runs = [pairs(&found.runs[0])?, pairs(&found.runs[1])?];

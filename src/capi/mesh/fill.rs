@@ -152,7 +152,7 @@ impl gusset_fill_options {
         })
     }
 
-    /// The numbers of the loops' groups, copied.
+    /// Copies the loops' group numbers.
     fn groups(self, loops: *const gusset_indices, count: usize) -> Result<Option<Vec<u32>>, Failure> {
         if self.groups.is_null() {
             return Ok(None);
@@ -164,7 +164,7 @@ impl gusset_fill_options {
     }
 }
 
-/// The caller's loops, copied; `None` for all.
+/// Copies the caller's loops; `None` means all.
 fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u32>>>, Failure> {
     Error::check_count("loops", count as u64, MAX_ELEMENTS)?;
     if loops.is_null() {
@@ -172,7 +172,7 @@ fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u3
     }
     let list = |i| {
         let found = mesh::indices(loops.wrapping_add(i), "the data of a loop").map(Option::unwrap_or_default);
-        found.map_err(|failure| failure.of_item(i))
+        found.map_err(|failure| failure.with_item(i))
     };
     alloc::try_collect((0..count).map(list)).map(Some)
 }

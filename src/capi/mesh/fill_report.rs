@@ -156,7 +156,7 @@ c_enum! {
 }
 
 impl gusset_hole {
-    pub(crate) fn of(hole: &Hole) -> Self {
+    pub(crate) fn new(hole: &Hole) -> Self {
         gusset_hole {
             rim_first: hole.rim.start,
             rim_count: hole.rim.len(),
@@ -175,7 +175,7 @@ impl gusset_hole {
     }
 }
 
-/// A mesh with holes filled, and the reports of its loops.
+/// A mesh with filled holes, and the reports on its loops.
 pub(crate) struct Fill {
     pub(crate) done: Filled,
     holes: Vec<gusset_hole>,
@@ -183,7 +183,7 @@ pub(crate) struct Fill {
 
 impl Fill {
     pub(crate) fn new(done: Filled) -> Result<Self, Error> {
-        let holes = alloc::collect(done.holes.iter().map(gusset_hole::of))?;
+        let holes = alloc::collect(done.holes.iter().map(gusset_hole::new))?;
         Ok(Fill { done, holes })
     }
 

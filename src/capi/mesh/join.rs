@@ -52,7 +52,7 @@ pub unsafe extern "C" fn gusset_join(
     create(context, result, "result", |job| {
         let options = input::read(options, true, "options")?;
         let trim = input::nested(options.trim_options, "trim_options", Ok)?;
-        let viewpoints = trim.viewpoints().map_err(|failure| failure.of_field("trim_options"))?;
+        let viewpoints = trim.viewpoints().map_err(|failure| failure.with_field("trim_options"))?;
         let mut given = pairs(options.pairs, options.pair_count, "pairs")?;
         let mut excluded = pairs(options.excluded, options.excluded_count, "excluded")?;
         let given_meshes = mesh::meshes(pieces, piece_count, &job.part(0.0, 0.1))?;

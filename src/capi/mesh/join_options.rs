@@ -121,7 +121,7 @@ pub struct gusset_join_options {
 versioned! { gusset_join_options: 104 }
 fixed! { gusset_loop_pair: 16 }
 
-/// The caller's pairs.
+/// Reads the caller's pairs.
 pub(crate) fn pairs(
     data: *const gusset_loop_pair,
     count: usize,

@@ -237,12 +237,12 @@ impl Join {
             reserved: 0,
         };
         let turned = alloc::gather((0u32..).zip(&done.turned).filter(|&(_, &turned)| turned).map(|(f, _)| f))?;
-        // The lists that these point to lie on the heap and stay where they are.
+        // The lists behind these pointers lie on the heap and do not move.
         Ok(Join {
             pieces: alloc::collect(done.maps.iter().map(map))?,
             joints: alloc::collect(done.joints.iter().map(joint))?,
             left: alloc::collect(done.left.iter().map(left))?,
-            holes: alloc::collect(done.holes.iter().map(gusset_hole::of))?,
+            holes: alloc::collect(done.holes.iter().map(gusset_hole::new))?,
             turned,
             done,
         })

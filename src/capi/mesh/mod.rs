@@ -100,7 +100,7 @@ pub struct gusset_mesh_view {
 
 versioned! { gusset_mesh_view: 72 reserved }
 
-/// A mesh of the caller's, and the corners of its faces where vertices are one with others.
+/// A mesh of the caller, and the corners of its faces after merging vertices.
 pub(crate) struct GivenMesh<'a> {
     mesh: MeshView<'a>,
     merged: Option<(&'a [u8], Vec<u32>)>,
@@ -112,12 +112,12 @@ impl GivenMesh<'_> {
     }
 }
 
-/// The caller's mesh number `number`, held to the rules.
+/// Reads and validates the caller's mesh number `number`.
 pub(crate) fn mesh<'a>(view: *const gusset_mesh_view, number: u32, job: &Job<'_>) -> Result<GivenMesh<'a>, Failure> {
-    checked(view, "mesh", job).map_err(|failure| failure.of_input(number))
+    checked(view, "mesh", job).map_err(|failure| failure.with_input(number))
 }
 
-/// An array of the caller's meshes, whose structs are as large as the first one says.
+/// Reads an array of the caller's meshes, whose structs must be as large as the first one.
 pub(crate) fn meshes<'a>(
     views: *const gusset_mesh_view,
     count: usize,
@@ -127,11 +127,11 @@ pub(crate) fn meshes<'a>(
     let views = input::structs(views, count, "pieces")?.enumerate();
     alloc::try_collect(views.map(|(k, view)| {
         let read = |view| checked(view, "piece", &job.share(k, count));
-        view.and_then(read).map_err(|failure| failure.of_input(k as u32))
+        view.and_then(read).map_err(|failure| failure.with_input(k as u32))
     }))
 }
 
-/// A mesh of the caller's, held to the rules; `name` is that of its view.
+/// Validates a mesh of the caller; `name` is the name of its view in errors.
 pub(crate) fn checked<'a>(
     view: *const gusset_mesh_view,
     name: &'static str,
@@ -142,7 +142,7 @@ pub(crate) fn checked<'a>(
     if view.index != GUSSET_U32 {
         return Err(Failure::unknown("index", view.index.into()));
     }
-    // Before the layout: the arrays of an empty mesh may well be NULL.
+    // Before the layout, because the arrays of an empty mesh may be NULL.
     for (what, count) in [("vertices", view.vertex_count), ("faces", view.face_count)] {
         if count == 0 {
             return Err(Error::EmptyMesh { what }.into());
@@ -152,7 +152,7 @@ pub(crate) fn checked<'a>(
         let message = "exactly one of face_offsets and face_size must be given";
         return Err(Failure::new(GUSSET_ERROR_BAD_FACE_LAYOUT, message));
     }
-    // All counts before any element.
+    // Check all counts before reading any element.
     let position_bytes = Positions::bytes_needed(view.position_stride, view.vertex_count, scalar)?;
     let offset_count = Faces::offset_count(view.face_count)?;
     let positions = input::bytes(view.positions, position_bytes, 1, "positions")?;
@@ -163,8 +163,7 @@ pub(crate) fn checked<'a>(
         Faces::uniform(corners, view.face_size, view.face_count)?
     } else {
         let offsets = input::bytes(view.face_offsets, offset_count, 4, "face_offsets")?;
-        // The offsets first: a wrong last entry would say that the corners reach further than they
-        // do.
+        // The offsets first: a wrong last entry would overstate the length of the corners.
         let corners = Faces::check_offsets(offsets, view.face_count, job)?;
         let corners = input::bytes(view.face_corners, corners, 4, "face_corners")?;
         Faces::with_offsets(offsets, corners, view.face_count)?
@@ -178,7 +177,7 @@ pub(crate) fn checked<'a>(
     Ok(GivenMesh { mesh, merged: Some((merge, corners)) })
 }
 
-/// The arrays of `mesh`.
+/// Lends the arrays of `mesh`.
 pub(crate) fn lend(mesh: &Mesh) -> gusset_mesh_view {
     let scalar = mesh.positions.view().scalar();
     gusset_mesh_view {
@@ -207,13 +206,13 @@ impl gusset_indices {
     }
 }
 
-/// Vertices of a mesh, each as the one that it is one with.
+/// Maps vertices to the vertices that they are merged into.
 pub(crate) fn merged(mesh: &MeshView<'_>, mut vertices: Vec<u32>) -> Vec<u32> {
     vertices.iter_mut().for_each(|v| *v = mesh.faces().merge_of(*v));
     vertices
 }
 
-/// The caller's indices, copied as they may have any alignment; `None` for a NULL struct.
+/// Copies the caller's indices, which may have any alignment; `None` for a NULL struct.
 pub(crate) fn indices(given: *const gusset_indices, name: &'static str) -> Result<Option<Vec<u32>>, Failure> {
     if given.is_null() {
         return Ok(None);

@@ -28,7 +28,7 @@ pub struct gusset_result(pub(crate) Made);
 
 handle! { gusset_result }
 
-/// What an operation made.
+/// The result of an operation.
 #[allow(clippy::large_enum_variant, reason = "each lies in a handle, on the heap")]
 pub(crate) enum Made {
     Join(Join),
@@ -37,7 +37,7 @@ pub(crate) enum Made {
     Fill(Fill),
     Weld(Weld),
     Sew(Sew),
-    /// With the face and the half-edge of each component that cannot be oriented.
+    /// With a face and a half-edge of each component that cannot be oriented.
     Orient(Oriented, [Vec<u32>; 2]),
     Develop(Development),
     NetMesh(NetMesh),
@@ -46,7 +46,7 @@ pub(crate) enum Made {
 }
 
 impl Made {
-    /// The function of C that made it.
+    /// Returns the C function that made the result.
     fn operation(&self) -> &'static str {
         match self {
             Made::Join(_) => "gusset_join",
@@ -62,8 +62,8 @@ impl Made {
         }
     }
 
-    /// The failure of a report that belongs to another operation.
-    pub(crate) fn is_not(&self, operation: &str) -> Failure {
+    /// Returns the failure if the report belongs to another operation.
+    pub(crate) fn wrong_operation(&self, operation: &str) -> Failure {
         let message = format!("the result was made by {}, not by {operation}", self.operation());
         Failure::new(GUSSET_ERROR_WRONG_HANDLE, message)
     }
@@ -99,12 +99,12 @@ impl Made {
     }
 }
 
-/// `report!(result, report, "gusset_x", Made::X(it) => struct)`: fills the caller's struct `report`
-/// from a result of `gusset_x`, and refuses a result of another operation.
+/// `report!(result, report, "gusset_x", Made::X(it) => struct)` fills the caller's struct `report`
+/// from a result of `gusset_x`. It rejects the result of another operation.
 macro_rules! report {
     ($result:ident, $report:ident, $operation:literal, $made:pat => $body:expr) => {
         $crate::capi::context::lend!($result, $report, |result| {
-            let $made = &result.0 else { return Err(result.0.is_not($operation)) };
+            let $made = &result.0 else { return Err(result.0.wrong_operation($operation)) };
             $body
         })
     };
@@ -185,7 +185,7 @@ pub unsafe extern "C" fn gusset_result_get_quality(
     lend!(result, report, |result| match &result.0 {
         Made::Stitch(stitch) => (&stitch.quality).into(),
         Made::Fill(fill) => (&fill.done.quality).into(),
-        other => return Err(other.is_not("gusset_stitch or gusset_fill")),
+        other => return Err(other.wrong_operation("gusset_stitch or gusset_fill")),
     })
 }
 
@@ -227,7 +227,7 @@ mod tests {
         let job = Job::default();
         let mesh = MeshView::new(Positions::from(&points[..]), Faces::triangles(&corners).unwrap(), &job).unwrap();
         let made = Made::Weld(weld(&mesh, &Options::default(), &job).unwrap());
-        let message = made.is_not("gusset_stitch").message;
+        let message = made.wrong_operation("gusset_stitch").message;
         assert_eq!(message, "the result was made by gusset_weld, not by gusset_stitch");
     }
 }

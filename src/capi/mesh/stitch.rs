@@ -43,8 +43,8 @@ pub struct gusset_stitch_report {
     /// triangle that holds the unfaired vertex.
     /// @shape * 3
     pub parents: gusset_indices,
-    /// Weights of the parents, at least 0 with sum 1 for each new vertex. In row k of r: 1 - k / (r
-    /// + 1), k / (r + 1), 0.
+    /// Weights of the parents, at least 0 with sum 1 for each new vertex. In row k of r: 1 - k /
+    /// (r + 1), k / (r + 1), 0.
     /// @shape parents 3
     pub weights: *const f64,
     /// First face of the strip, which comes last in the result.
@@ -125,7 +125,7 @@ pub unsafe extern "C" fn gusset_stitch(
         let given_b = (!mesh_b.is_null()).then(|| mesh::mesh(mesh_b, 1, &job.part(0.1, 0.2))).transpose()?;
         let (a, b) = (given_a.view(), given_b.as_ref().map(GivenMesh::view));
         let loop_a = mesh::indices(loop_a, "loop_a")?.map(|vertices| mesh::merged(&a, vertices));
-        let loop_b = mesh::indices(loop_b, "loop_b").map_err(|failure| failure.of_input(1))?;
+        let loop_b = mesh::indices(loop_b, "loop_b").map_err(|failure| failure.with_input(1))?;
         let loop_b = loop_b.map(|vertices| mesh::merged(b.as_ref().unwrap_or(&a), vertices));
         let request = Request { a: &a, loop_a: loop_a.as_deref(), b: b.as_ref(), loop_b: loop_b.as_deref() };
         let mut done = self::stitch(&request, &options, &job.part(0.2, 0.95))?;

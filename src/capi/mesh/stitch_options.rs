@@ -284,7 +284,7 @@ impl gusset_stitch_options {
     }
 }
 
-/// The side that closed components face, `default` if the caller leaves it open.
+/// Returns the orientation of closed components, `default` if the caller leaves it open.
 pub(crate) fn outward(given: gusset_outward, default: Outward) -> Result<Outward, Failure> {
     match given {
         GUSSET_OUTWARD_AUTO => Ok(default),
@@ -294,7 +294,7 @@ pub(crate) fn outward(given: gusset_outward, default: Outward) -> Result<Outward
     }
 }
 
-/// The interior rows of a mode.
+/// Returns the inner rows for a mode.
 pub(crate) fn rows(mode: u32, count: u32) -> Result<Rows, Failure> {
     match mode {
         GUSSET_ROWS_NONE => Ok(Rows::None),
@@ -304,7 +304,7 @@ pub(crate) fn rows(mode: u32, count: u32) -> Result<Rows, Failure> {
     }
 }
 
-/// The tolerance of a mode, if one is given.
+/// Returns the tolerance for a mode, if one is given.
 pub(crate) fn tolerance(mode: u32, given: f64) -> Result<Option<f64>, Failure> {
     match mode {
         GUSSET_TOLERANCE_AUTO => Ok(None),

@@ -111,7 +111,7 @@ pub unsafe extern "C" fn gusset_strip(
     create(context, result, "result", |job| {
         let (closed, options) = input::read(options, true, "options")?.checked()?;
         let a = points(points_a, count_a, "points_a")?;
-        let b = points(points_b, count_b, "points_b").map_err(|failure| failure.of_input(1))?;
+        let b = points(points_b, count_b, "points_b").map_err(|failure| failure.with_input(1))?;
         Ok(gusset_result(Made::Strip(ruled(&a, &b, closed, &options, job)?)))
     })
 }

@@ -76,7 +76,7 @@ versioned! { gusset_trim_options: 48 reserved, gusset_trim_view: 32 }
 fixed! { gusset_trimmed_piece: 24 }
 
 impl gusset_trim_options {
-    /// `viewpoints`: those of [`gusset_trim_options::viewpoints`].
+    /// Converts the options; `viewpoints` come from [`gusset_trim_options::viewpoints`].
     pub(crate) fn checked(self, viewpoints: &[DVec3]) -> Options<'_> {
         Options {
             max_distance: (self.max_distance != 0.0).then_some(self.max_distance),
@@ -125,7 +125,7 @@ pub unsafe extern "C" fn gusset_trim_create(
         let given_meshes = mesh::meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
         let views = alloc::collect(given_meshes.iter().map(GivenMesh::view))?;
         let done = self::trim(&views, &options.checked(&viewpoints), &job.part(0.1, 1.0))?;
-        // The lists that these point to lie on the heap and stay where they are.
+        // The lists behind these pointers lie on the heap and do not move.
         let pieces = done.kept.iter().zip(&done.covered).map(|(kept, &covered)| gusset_trimmed_piece {
             kept: gusset_indices::lend(kept),
             covered_vertices: covered as usize,

@@ -110,7 +110,7 @@ c_enum! {
     }
 }
 
-/// What the caller wants replicated.
+/// Converts the rows or columns that the caller replicates.
 pub(crate) fn replication(value: gusset_replication, index: u32) -> Result<Replication, Failure> {
     match value {
         GUSSET_REPLICATE_UNIFORM => Ok(Replication::Uniform),
@@ -172,7 +172,7 @@ pub unsafe extern "C" fn gusset_net_copy_create(
         let net = handle.net();
         match net.changed_copy(&options.checked(net.shape())?, job)? {
             Some(changed) => Ok(gusset_net::new(changed)),
-            None => Ok(gusset_net::of_shared(handle.share()?)),
+            None => Ok(gusset_net::from_shared(handle.share()?)),
         }
     })
 }

@@ -11,7 +11,7 @@ use crate::capi::status::{Failure, gusset_status};
 use crate::net::Classes;
 use crate::net::topology::{GluingType, Groups, Occurrence, occurrences};
 
-/// The number of a type for the caller.
+/// Returns the caller's number of a type.
 fn number(found: Option<GluingType>) -> gusset_gluing_type {
     found.map_or(GUSSET_TYPE_NONE, |kind| kind.number() as u32)
 }
@@ -160,7 +160,7 @@ pub unsafe extern "C" fn gusset_net_histogram(
     })
 }
 
-/// Room for the counts, cleared; none if they are not wanted.
+/// Returns the cleared buffer for the counts; empty if the caller omits it.
 fn counts<'a>(out: *mut u64, name: &'static str) -> Result<&'a mut [u64], Failure> {
     input::cleared(out, if out.is_null() { 0 } else { GluingType::COUNT }, name)
 }

@@ -115,7 +115,7 @@ pub struct gusset_field {
 
 versioned! { gusset_field: 200 reserved }
 
-/// A field of the caller's, and how much of it is done now.
+/// A field of the caller, and its current strength.
 pub(crate) struct Given {
     field: Box<dyn Field>,
     strength: f64,
@@ -127,7 +127,7 @@ impl Given {
     }
 }
 
-/// The fields of the caller's at a time.
+/// Reads the caller's fields at a time.
 pub(crate) fn fields(fields: *const gusset_field, count: usize, time: f64) -> Result<Vec<Given>, Failure> {
     Error::check_count("fields", count as u64, MAX_ELEMENTS)?;
     let given = |field: *const gusset_field| {
@@ -137,10 +137,10 @@ pub(crate) fn fields(fields: *const gusset_field, count: usize, time: f64) -> Re
         Ok(Given { field, strength })
     };
     let fields = input::structs(fields, count, "fields")?.enumerate();
-    alloc::try_collect(fields.map(|(k, field)| field.and_then(given).map_err(|failure: Failure| failure.of_item(k))))
+    alloc::try_collect(fields.map(|(k, field)| field.and_then(given).map_err(|failure: Failure| failure.with_item(k))))
 }
 
-/// Groups of N numbers of the caller's, at any alignment.
+/// Reads groups of N numbers, at any alignment.
 fn groups<const N: usize>(data: *const f64, count: usize, name: &'static str) -> Result<Vec<[f64; N]>, Failure> {
     input::list(data.cast(), count, name)
 }
@@ -174,7 +174,7 @@ impl gusset_field {
     fn lattice(&self) -> Result<Lattice, Failure> {
         let counts = self.counts.map(|count| count as usize);
         let (low, high) = (vector(&self.values), vector(&self.values[3..]));
-        // Counts that will be refused say nothing of how much there is to read.
+        // Counts that will be rejected do not tell how much there is to read.
         let good = counts.iter().all(|count| (2..=Lattice::MAX_POINTS).contains(count));
         let count = if good { counts.iter().product() } else { 0 };
         let offsets: Vec<[f64; 3]> = groups(self.offsets, count, "offsets")?;

@@ -115,11 +115,11 @@ impl gusset_gluing {
     }
 }
 
-/// The caller's, at any alignment.
+/// Reads the caller's gluings, at any alignment.
 fn gluings(data: *const gusset_gluing, count: usize) -> Result<Vec<Gluing>, Failure> {
     Error::check_count("gluings", count as u64, MAX_NODES)?;
     let given = input::items(data, count, "gluings")?.enumerate();
-    alloc::try_collect(given.map(|(k, gluing)| gluing.checked().map_err(|failure| failure.of_item(k))))
+    alloc::try_collect(given.map(|(k, gluing)| gluing.checked().map_err(|failure| failure.with_item(k))))
 }
 
 /// Options of gusset_net_glue. Steps follow the order detect, gluings, links, saturate, snap.

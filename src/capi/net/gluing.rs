@@ -12,8 +12,8 @@ use crate::net::{MAX_NODES, Matrix, Seam, Shape, Sides, Topology};
 use gusset_base::alloc;
 use std::ptr;
 
-/// Seam: glues node k of run A to node k of run B. Node k of A is (row_a + k * row_step_a, column_a
-/// + k * column_step_a).
+/// Seam: glues node k of run A to node k of run B. Node k of A is (row_a + k * row_step_a,
+/// column_a + k * column_step_a).
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_seam {
@@ -88,7 +88,7 @@ pub struct gusset_net_gluing {
 versioned! { gusset_net_gluing: 40 }
 fixed! { gusset_seam: 40 }
 
-/// Sides of the caller's.
+/// Converts the caller's sides.
 pub(crate) fn sides(bits: gusset_sides) -> Result<Sides, Failure> {
     if bits > 63 {
         return Err(Failure::unknown("sides", bits.into()));
@@ -104,7 +104,7 @@ pub(crate) fn sides(bits: gusset_sides) -> Result<Sides, Failure> {
     })
 }
 
-/// Sides for the caller.
+/// Converts sides for the caller.
 pub(crate) fn sides_bits(sides: Sides) -> gusset_sides {
     let bit = |on: bool, side: gusset_sides| if on { side } else { 0 };
     bit(sides.rows_closed, GUSSET_SIDES_ROWS_CLOSED)
@@ -115,7 +115,7 @@ pub(crate) fn sides_bits(sides: Sides) -> gusset_sides {
         | bit(sides.pole_right, GUSSET_SIDES_POLE_RIGHT)
 }
 
-/// A seam of the caller's.
+/// Converts a seam of the caller.
 pub(crate) fn seam(seam: &gusset_seam) -> Result<Seam, Failure> {
     if seam.reserved != 0 {
         return Err(Failure::unknown("reserved", seam.reserved.into()));
@@ -128,7 +128,7 @@ pub(crate) fn seam(seam: &gusset_seam) -> Result<Seam, Failure> {
     })
 }
 
-/// Seams of the caller's, at any alignment.
+/// Reads the caller's seams, at any alignment.
 pub(crate) fn seams(data: *const gusset_seam, count: usize) -> Result<Vec<Seam>, Failure> {
     Error::check_count("seams", count as u64, MAX_NODES)?;
     alloc::try_collect(input::items(data, count, "seams")?.map(|given| seam(&given)))
@@ -152,7 +152,7 @@ impl From<&Seam> for gusset_seam {
     }
 }
 
-/// The topology that the caller describes; NULL: nothing is glued.
+/// Converts the caller's topology; NULL means that nothing is glued.
 pub(crate) fn topology(shape: Shape, gluing: *const gusset_net_gluing, job: &Job<'_>) -> Result<Topology, Failure> {
     let gluing = input::read(gluing, true, "gluing")?;
     let links = if gluing.matrix.is_null() {

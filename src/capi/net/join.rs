@@ -135,7 +135,7 @@ impl gusset_concatenate_options {
     }
 }
 
-/// The nets of an array of handles.
+/// Reads the nets of an array of handles.
 fn nets<'a>(handles: *const *const gusset_net, count: usize) -> Result<Vec<&'a Net<'static>>, Failure> {
     Error::check_count("nets", count as u64, MAX_NODES)?;
     let handles = handle::list(handles, count, "net")?;

@@ -104,7 +104,7 @@ pub unsafe extern "C" fn gusset_net_measure(
         if wanted(GUSSET_NET_MEASURES_BODY) {
             let found = moments(net, &job.part(0.6, 1.0))?;
             (report.body_volume, report.centroid) = (found.volume, found.centroid.to_array());
-            // Symmetrical: rows are columns.
+            // The matrix is symmetric, so rows equal columns.
             report.inertia = found.inertia.to_cols_array();
         }
         Ok(report)

@@ -225,7 +225,7 @@ pub unsafe extern "C" fn gusset_result_get_net_mesh(
     })
 }
 
-/// Numbers of the caller's, at any alignment, with the gaps between rows left out.
+/// Copies the caller's numbers, at any alignment, without the gaps between rows.
 fn values<T: Real>(shape: Shape, heights: &gusset_heights) -> Result<Vec<T>, Failure> {
     let (count, stride, row) = (shape.rows(), heights.row_stride, shape.columns() * size_of::<T>());
     let bytes = input::bytes(heights.values, Strided::span(count, stride, row, "rows of values")?, 1, "values")?;
@@ -237,7 +237,7 @@ fn values<T: Real>(shape: Shape, heights: &gusset_heights) -> Result<Vec<T>, Fai
     Ok(values)
 }
 
-fn of_heights<T: Real>(heights: &gusset_heights, job: &Job<'_>) -> Result<Net<'static>, Failure>
+fn from_heights<T: Real>(heights: &gusset_heights, job: &Job<'_>) -> Result<Net<'static>, Failure>
 where
     Coordinates<'static>: From<Planes<'static, T>>,
 {
@@ -274,8 +274,8 @@ pub unsafe extern "C" fn gusset_net_from_heights_create(
     create(context, net, "net", |job| {
         let heights = input::read(heights, false, "heights")?;
         Ok(gusset_net::new(match choice(heights.scalar)? {
-            Scalar::F32 => of_heights::<f32>(&heights, job)?,
-            Scalar::F64 => of_heights::<f64>(&heights, job)?,
+            Scalar::F32 => from_heights::<f32>(&heights, job)?,
+            Scalar::F64 => from_heights::<f64>(&heights, job)?,
         }))
     })
 }

@@ -78,8 +78,8 @@ pub const GUSSET_NET_MEMORY_COPY: gusset_net_memory = 0;
 /// The caller's memory, which changes with the net.
 pub const GUSSET_NET_MEMORY_BORROW: gusset_net_memory = 1;
 
-/// How the caller's matrices lie: bytes from row to row, from number to number, and all that one
-/// matrix spans.
+/// The layout of the caller's matrices: bytes from row to row, from number to number, and spanned
+/// by one matrix.
 struct Layout {
     row: usize,
     column: usize,
@@ -87,7 +87,7 @@ struct Layout {
 }
 
 impl Layout {
-    fn of(shape: Shape, arrays: &gusset_net_view, size: usize) -> Result<Self, Failure> {
+    fn new(shape: Shape, arrays: &gusset_net_view, size: usize) -> Result<Self, Failure> {
         let overflow = || Failure::from(Error::SizeOverflow { what: "coordinates", count: shape.node_count() as u64 });
         let extent = |count: usize, stride: usize, each: usize| {
             (count - 1).checked_mul(stride).and_then(|n| n.checked_add(each)).ok_or_else(overflow)
@@ -97,7 +97,7 @@ impl Layout {
             0 => shape.columns().checked_mul(column).ok_or_else(overflow)?,
             given => given,
         };
-        // Rows one after the other, or columns one after the other: numbers must not overlap.
+        // Row-major or column-major; in either case numbers must not overlap.
         let (width, height) = (extent(shape.columns(), column, size)?, extent(shape.rows(), row, size)?);
         let (stride, least) = if column < size || row < size {
             (column.min(row), size)
@@ -110,21 +110,21 @@ impl Layout {
         Err(Error::StrideTooSmall { stride: stride as u64, min: least as u64 }.into())
     }
 
-    /// Where number (i, j) begins.
+    /// Returns the offset of number (i, j).
     fn at(&self, i: usize, j: usize) -> usize {
         i * self.row + j * self.column
     }
 }
 
-/// The rows of a net that are copied between two progress reports.
+/// Returns the number of rows of a net to copy between two progress reports.
 fn rows_per_report(shape: Shape) -> usize {
     ((1 << 17) / shape.columns()).max(1)
 }
 
-/// A copy of the caller's matrices, which may lie at any alignment.
+/// Copies the caller's matrices, which may have any alignment.
 fn copied<T: Real>(shape: Shape, arrays: &gusset_net_view, job: &Job<'_>) -> Result<Planes<'static, T>, Failure> {
     let size = size_of::<T>();
-    let layout = Layout::of(shape, arrays, size)?;
+    let layout = Layout::new(shape, arrays, size)?;
     let mut planes = Planes::zeroed(shape)?;
     for (axis, (from, name)) in [(arrays.x, "x"), (arrays.y, "y"), (arrays.z, "z")].into_iter().enumerate() {
         let (from, job) = (input::bytes(from, layout.span, 1, name)?, job.share(axis, 3));
@@ -143,12 +143,12 @@ fn copied<T: Real>(shape: Shape, arrays: &gusset_net_view, job: &Job<'_>) -> Res
     Ok(planes)
 }
 
-/// The caller's matrices themselves.
+/// Borrows the caller's matrices.
 fn borrowed<T: Real>(shape: Shape, arrays: &gusset_net_view) -> Result<Planes<'static, T>, Failure> {
     let size = size_of::<T>();
-    let layout = Layout::of(shape, arrays, size)?;
+    let layout = Layout::new(shape, arrays, size)?;
     if layout.column != size || !layout.row.is_multiple_of(size) {
-        let message = "a net in the caller's memory has rows of numbers without gaps, whole numbers apart";
+        let message = "a net in the caller's memory needs contiguous numbers in a row, and rows a multiple of the number size apart";
         return Err(Failure { value: layout.column as f64, ..Failure::new(GUSSET_ERROR_BAD_STRIDE, message) });
     }
     let starts = [arrays.x, arrays.y, arrays.z].map(|matrix| matrix as usize);
@@ -160,10 +160,10 @@ fn borrowed<T: Real>(shape: Shape, arrays: &gusset_net_view) -> Result<Planes<'s
     Ok(Planes::borrowed(shape, layout.row / size, matrices)?)
 }
 
-/// Copies coordinates to the caller's matrices, which may lie at any alignment.
+/// Copies coordinates to the caller's matrices, which may have any alignment.
 fn write<T: Real>(net: &Net<'_>, arrays: &gusset_net_view, job: &Job<'_>) -> Result<(), Failure> {
     let (shape, size) = (net.shape(), size_of::<T>());
-    let layout = Layout::of(shape, arrays, size)?;
+    let layout = Layout::new(shape, arrays, size)?;
     for (axis, (to, name)) in [(arrays.x, "x"), (arrays.y, "y"), (arrays.z, "z")].into_iter().enumerate() {
         let (to, job) = (input::results::<u8>(to.cast(), layout.span, name)?, job.share(axis, 3));
         for i in 0..shape.rows() {
@@ -179,7 +179,7 @@ fn write<T: Real>(net: &Net<'_>, arrays: &gusset_net_view, job: &Job<'_>) -> Res
     Ok(())
 }
 
-/// A number in another type; in its own bit for bit.
+/// Writes a number in another type, or in its own type bit for bit.
 fn put<T: Real>(to: &mut [u8], value: impl Real) {
     if size_of_val(&value) == size_of::<T>() {
         to.copy_from_slice(bytemuck::bytes_of(&value));
@@ -217,7 +217,7 @@ pub unsafe extern "C" fn gusset_net_create(
     })
 }
 
-/// A net of the caller's matrices, borrowed or copied.
+/// Creates a net of the caller's matrices, borrowed or copied.
 fn net_of(
     view: *const gusset_net_view,
     gluing: *const gusset_net_gluing,
@@ -298,7 +298,8 @@ pub unsafe extern "C" fn gusset_net_edit(
         let out = out?;
         let net = edit(net, job)?;
         let mut lent = lend(net);
-        // The pointers must come from where they may be written through.
+        // The pointers must be derived from a mutable borrow, because the caller may write through
+        // them.
         let pointers: [*mut c_void; 3] = each!(net.coordinates_mut(), planes => {
             planes.matrices_mut().map(|matrix| matrix.as_mut_ptr().cast())
         });

@@ -19,17 +19,17 @@ pub struct gusset_net(Arc<Net<'static>>);
 handle! { gusset_net }
 
 impl gusset_net {
-    /// A handle of a net that owns its memory, or of the host's.
+    /// Creates a handle of a net that owns or borrows its memory.
     pub(crate) fn new(net: Net<'static>) -> Self {
         gusset_net(Arc::new(net))
     }
 
-    /// The net.
+    /// Returns the net, for reading.
     pub(crate) fn net(&self) -> &Net<'static> {
         &self.0
     }
 
-    /// The net, to be changed: what shares it, a scene or a copy, keeps it as it is.
+    /// Returns the net, for changes. A scene or a copy that shares it keeps the old state.
     pub(crate) fn edit(&mut self, job: &Job<'_>) -> Result<&mut Net<'static>, Failure> {
         let own = if Arc::get_mut(&mut self.0).is_none() { Some(Arc::new(self.0.copied()?)) } else { None };
         job.memory()?;
@@ -39,28 +39,28 @@ impl gusset_net {
         Ok(Arc::get_mut(&mut self.0).expect("a new Arc has one owner"))
     }
 
-    /// The net as it is now, for somebody else to keep; a net in the host's memory is copied.
+    /// Returns the current net, to be shared. A net in the host's memory is copied.
     pub(crate) fn share(&self) -> Result<Arc<Net<'static>>, Failure> {
         if self.0.coordinates().is_borrowed() { Ok(Arc::new(self.0.copied()?)) } else { Ok(self.0.clone()) }
     }
 
-    /// A handle of a net that somebody else keeps too.
-    pub(crate) fn of_shared(net: Arc<Net<'static>>) -> Self {
+    /// Creates a handle of a shared net.
+    pub(crate) fn from_shared(net: Arc<Net<'static>>) -> Self {
         gusset_net(net)
     }
 }
 
-/// The net of a handle.
+/// Returns the net of a handle, for reading.
 pub(crate) fn read<'a>(net: *const gusset_net) -> Result<&'a Net<'static>, Failure> {
     Ok(handle::get(net, "net")?.net())
 }
 
-/// The net of a handle, to be changed.
+/// Returns the net of a handle, for changes.
 pub(crate) fn edit<'a>(net: *mut gusset_net, job: &Job<'_>) -> Result<&'a mut Net<'static>, Failure> {
     handle::get_mut(net, "net")?.edit(job)
 }
 
-/// Glues a net anew.
+/// Replaces the gluing of a net.
 pub(crate) fn reglue(
     context: *const gusset_context,
     net: *mut gusset_net,

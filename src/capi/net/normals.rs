@@ -10,11 +10,11 @@ use crate::net::normals::normals_into;
 use crate::net::{Coordinates, Net, Planes, Real, each};
 use std::ffi::c_void;
 
-/// The caller's buffers as matrices of the net's size.
+/// Returns the caller's buffers as matrices of the net's size.
 fn planes<T: Real>(net: &Net<'_>, buffers: [*mut c_void; 3], capacity: usize) -> Result<Planes<'static, T>, Failure> {
     let count = net.shape().node_count();
     if capacity < count {
-        let message = format!("x, y and z have room for {capacity} and {count} are needed");
+        let message = format!("x, y and z have room for {capacity} numbers, but {count} are needed");
         return Err(Failure { value: count as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
     }
     check_overlap(net, buffers, count * size_of::<T>())?;
@@ -23,8 +23,8 @@ fn planes<T: Real>(net: &Net<'_>, buffers: [*mut c_void; 3], capacity: usize) ->
     Ok(Planes::borrowed(net.shape(), 0, matrices)?)
 }
 
-/// The buffers must share memory neither with each other nor with the coordinates, which a host may
-/// have been lent.
+/// Checks that the buffers do not overlap each other or the coordinates, which may have been lent
+/// to the host.
 fn check_overlap(net: &Net<'_>, buffers: [*mut c_void; 3], bytes: usize) -> Result<(), Failure> {
     let ranges: [(usize, usize); 3] = each!(net.coordinates(), planes => {
         planes.matrices().map(|matrix| (matrix.as_ptr() as usize, size_of_val(matrix)))

@@ -84,7 +84,7 @@ pub unsafe extern "C" fn gusset_net_decimate_create(
     create_and_tell(context, decimated, "decimated", decimated_net, |(to, deviation)| input::set(to, deviation))
 }
 
-/// Writes indices to the caller's buffer, if there is one.
+/// Writes indices to the caller's buffer, unless it is NULL.
 fn write(indices: &[usize], buffer: *mut u32, name: &'static str) -> Result<(), Failure> {
     if !buffer.is_null() {
         let to = input::results(buffer, indices.len(), name)?;

@@ -49,12 +49,12 @@ pub struct gusset_operation {
 
 fixed! { gusset_operation: 104 }
 
-/// Three of the caller's numbers.
+/// Reads three of the caller's numbers.
 pub(crate) fn vector(values: &[f64]) -> DVec3 {
     DVec3::from_slice(values)
 }
 
-/// Twelve of the caller's numbers.
+/// Reads twelve of the caller's numbers.
 pub(crate) fn matrix(values: &[f64]) -> Result<Affine, Failure> {
     Ok(Affine::new([0, 1, 2].map(|row| std::array::from_fn(|column| values[4 * row + column])))?)
 }
@@ -80,12 +80,12 @@ impl gusset_operation {
     }
 }
 
-/// The operations of the caller's, one after the other, as one map.
+/// Composes the caller's operations in order.
 fn chain(operations: *const gusset_operation, count: usize) -> Result<Affine, Failure> {
     let operations = input::items(operations, count, "operations")?;
     operations.enumerate().try_fold(Affine::IDENTITY, |chain, (k, operation)| {
         let then = |next: Affine| Ok(chain.then(&next)?);
-        operation.affine().and_then(then).map_err(|failure: Failure| failure.of_item(k))
+        operation.affine().and_then(then).map_err(|failure: Failure| failure.with_item(k))
     })
 }
 

@@ -33,7 +33,7 @@ pub struct gusset_mask_report {
 
 versioned! { gusset_mask_report: 40 }
 
-/// The caller's region; NULL for all cells.
+/// Reads the caller's region; NULL means all cells.
 fn region(sheet: &Sheet<'_>, words: *const u64, count: usize) -> Result<CellMask, Failure> {
     let lattice = Lattice::new(sheet);
     if words.is_null() && count == 0 {
@@ -42,7 +42,7 @@ fn region(sheet: &Sheet<'_>, words: *const u64, count: usize) -> Result<CellMask
     Ok(CellMask::from_words(lattice, &input::list(words, count, "words")?)?)
 }
 
-/// Row and column of a cell.
+/// Reads the row and column of a cell.
 fn cell(pointer: *const u32, name: &'static str) -> Result<[usize; 2], Failure> {
     let bytes = input::bytes(pointer.cast(), 2, 4, name)?;
     Ok(bytemuck::pod_read_unaligned::<[u32; 2]>(bytes).map(|k| k as usize))

@@ -114,7 +114,7 @@ impl gusset_reference_task {
         })
     }
 
-    /// The object from which distances are measured; `None` for angles.
+    /// Returns the object from which distances are measured; `None` for angles.
     fn figure(&self) -> Result<Option<Figure<'_>>, Failure> {
         let (point, direction) = (DVec3::from_array(self.point), DVec3::from_array(self.direction));
         Ok(Some(match self.object {
@@ -292,7 +292,7 @@ pub unsafe extern "C" fn gusset_sheet_normals_by_sections(
 fn normals_at(sheet: &Sheet<'_>, places: &[Place], out: &mut [[f64; 3]], job: &Job<'_>) -> Result<(), Failure> {
     for (k, (out, place)) in out.iter_mut().zip(places).enumerate() {
         job.step_every(256, k, places.len(), "normals")?;
-        // As a surface says it: one place in the array is wrong, whichever of its numbers it is.
+        // As for a surface: the place in the array is at fault, not one of its numbers.
         let missing = |_| Error::NoSuch { element: Element::Place, index: k as u64 };
         *out = normal_by_sections(sheet, place.cell.map(|k| k as usize), place.u, place.v).map_err(missing)?.to_array();
     }

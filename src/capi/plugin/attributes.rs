@@ -1,4 +1,5 @@
-//! The extension for attributes: values of the inputs' elements on the outputs of a run.
+//! The extension for attributes: transfers values from the inputs' elements to the outputs of a
+//! run.
 
 use super::channels::{
     gusset_plugin_attributes, gusset_plugin_channel, gusset_plugin_channel_values, gusset_plugin_origins,
@@ -9,7 +10,7 @@ use super::outcome::{Fault, Held, gusset_outputs};
 use super::outputs::{held, report};
 use crate::attributes::Origins;
 use crate::capi::context::lend;
-use crate::capi::guard::caught;
+use crate::capi::guard::catch_panic;
 use crate::capi::host::{Host, Watch};
 use crate::capi::input::{self, choice, lent};
 use crate::capi::mesh::attributes::{carry_over, gusset_channel};
@@ -20,8 +21,8 @@ use std::ffi::c_void;
 pub(super) static ATTRIBUTES: gusset_plugin_attributes =
     gusset_plugin_attributes { struct_size: size_of::<gusset_plugin_attributes>(), has_origins, origins, apply };
 
-/// The origins of output `index`.
-fn of_output(held: &Held, index: u32) -> Result<&Origins, Failure> {
+/// Returns the origins of output `index`.
+fn output_origins(held: &Held, index: u32) -> Result<&Origins, Failure> {
     match held {
         Held::Mesh(_, Some(origins)) => Ok(origins),
         _ => Err(Failure::no_such("output with origins", index as usize)),
@@ -29,7 +30,7 @@ fn of_output(held: &Held, index: u32) -> Result<&Origins, Failure> {
 }
 
 unsafe extern "C" fn has_origins(outputs: *const gusset_outputs, index: u32) -> u32 {
-    held(outputs, index).and_then(|held| of_output(held, index)).is_ok().into()
+    held(outputs, index).and_then(|held| output_origins(held, index)).is_ok().into()
 }
 
 unsafe extern "C" fn origins(
@@ -39,7 +40,7 @@ unsafe extern "C" fn origins(
     origins: *mut gusset_plugin_origins,
 ) -> i32 {
     let status = lend!(outputs, origins, |outputs| {
-        let of = of_output(outputs.get(index)?, index)?;
+        let of = output_origins(outputs.get(index)?, index)?;
         let domain = choice(domain)?;
         let (table, starts) = (of.table(domain), of.starts(domain));
         gusset_plugin_origins {
@@ -55,7 +56,7 @@ unsafe extern "C" fn origins(
     status as i32
 }
 
-/// As the descriptor says of `apply`.
+/// Implements `apply` of the descriptor.
 unsafe extern "C" fn apply(
     outputs: *const gusset_outputs,
     index: u32,
@@ -73,13 +74,13 @@ unsafe extern "C" fn apply(
         Ok(told) => told,
         Err(failure) => return failure.status as i32,
     };
-    let outcome: Result<(), Fault> = caught(|| {
+    let outcome: Result<(), Fault> = catch_panic(|| {
         let (threads, callbacks) = inputs::host(host)?;
         let watch = Watch::default();
         let host = Host::new(&watch, callbacks);
         let job = Job::new(threads, &host);
-        let origins = of_output(held(outputs, index)?, index)?;
-        // Laid out alike, as `channels` sees to.
+        let origins = output_origins(held(outputs, index)?, index)?;
+        // The layouts agree, as `channels` asserts.
         let channel = input::read(channel.cast::<gusset_channel>(), false, "channel")?;
         let inputs = (values_of_inputs.cast(), input_count as usize);
         carry_over(origins, channel, inputs, (values, count, stride), &job)?;

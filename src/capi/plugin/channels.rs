@@ -39,7 +39,7 @@ pub const GUSSET_PLUGIN_RULE_NEAREST: u32 = 3;
 /// each side's chart continues to a seam in the middle.
 pub const GUSSET_PLUGIN_RULE_TEXTURE: u32 = 4;
 
-// The plugin's numbers are the library's.
+// The plugin's constants equal the library's.
 const _: () = assert!(
     GUSSET_PLUGIN_VERTICES == domains::GUSSET_DOMAIN_VERTICES
         && GUSSET_PLUGIN_CORNERS == domains::GUSSET_DOMAIN_CORNERS

@@ -1,4 +1,4 @@
-//! What a host gives: meshes, curves, values, callbacks.
+//! The inputs of a host: meshes, curves, values, callbacks.
 
 use super::descriptor::{
     GUSSET_PLUGIN_F32, GUSSET_PLUGIN_F64, gusset_host, gusset_input, gusset_plugin_curves, gusset_plugin_mesh,
@@ -16,7 +16,7 @@ use crate::job::Job;
 use crate::mesh::{MAX_ELEMENTS, Positions};
 use gusset_base::alloc;
 
-// The plugin's numbers are the library's, and so is its view of a mesh.
+// The plugin's constants equal the library's, and so does its view of a mesh.
 const _: () = assert!(GUSSET_PLUGIN_F32 == GUSSET_F32 && GUSSET_PLUGIN_F64 == GUSSET_F64);
 laid_out_like! {
     gusset_plugin_mesh: gusset_mesh_view {
@@ -25,8 +25,7 @@ laid_out_like! {
     }
 }
 
-/// An input with what it needs to own: meshes stay in the host's memory, curves are small and
-/// copied.
+/// An input with its owned data. Meshes stay in the host's memory; curves are small and copied.
 pub(super) enum Given<'a> {
     Mesh(GivenMesh<'a>),
     Curves(Curves),
@@ -41,8 +40,8 @@ impl Given<'_> {
     }
 }
 
-/// All inputs of a call, held to the rules and to what the filter takes: their number before any is
-/// read, and each one's kind before its arrays are.
+/// Reads and validates all inputs of a call. It checks their number before reading any, and each
+/// input's kind before its arrays.
 pub(super) fn inputs<'a>(
     filter: &Filter,
     given: *const gusset_input,
@@ -53,7 +52,7 @@ pub(super) fn inputs<'a>(
     let given = input::structs(given, count as usize, "inputs")?;
     alloc::try_collect(given.enumerate().map(|(k, one)| {
         let part = job.share(k, count as usize);
-        one.map_err(Fault::from).and_then(|one| read(filter, one, k, &part)).map_err(|fault| fault.of_input(k as u32))
+        one.map_err(Fault::from).and_then(|one| read(filter, one, k, &part)).map_err(|fault| fault.with_input(k as u32))
     }))
 }
 
@@ -102,7 +101,7 @@ fn curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curves, Fa
     Ok(found)
 }
 
-/// Whether the host asks where the elements of outputs come from.
+/// Returns true if the host requests the origins of the outputs' elements.
 pub(super) fn wants_origins(host: *const gusset_host) -> Result<bool, Failure> {
     match input::read(host, true, "host")?.origins {
         0 => Ok(false),
@@ -111,7 +110,7 @@ pub(super) fn wants_origins(host: *const gusset_host) -> Result<bool, Failure> {
     }
 }
 
-/// The host's number of threads, and its callbacks.
+/// Returns the host's number of threads, and its callbacks.
 pub(super) fn host(host: *const gusset_host) -> Result<(usize, Callbacks), Failure> {
     let gusset_host { user, progress, log, threads, .. } = input::read(host, true, "host")?;
     Ok((threads as usize, Callbacks { progress, progress_user: user, log, log_user: user }))

@@ -1,11 +1,11 @@
-//! Room within the library's memory, for hosts that run it as WebAssembly: they see no other, and
-//! have no allocator there.
+//! Allocation within the library's memory, for hosts that run it as WebAssembly and cannot allocate
+//! there otherwise.
 
 use gusset_base::reserve;
 use std::alloc::{Layout, alloc, dealloc};
 use std::ptr;
 
-/// The alignment of every block: no number that crosses the border needs more.
+/// The alignment of every block. Numbers of the interface need at most this.
 const ALIGN: usize = 16;
 
 fn layout(size: usize) -> Option<Layout> {

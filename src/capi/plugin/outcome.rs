@@ -18,7 +18,7 @@ pub struct gusset_outputs {
 
 handle! { gusset_outputs }
 
-/// An output as hosts read it.
+/// An output in the form that hosts read.
 pub(super) enum Held {
     Mesh(Mesh, Option<Box<Origins>>),
     Curves(Curves),
@@ -26,8 +26,8 @@ pub(super) enum Held {
 }
 
 impl gusset_outputs {
-    pub(super) fn of(outputs: Vec<Output>) -> Result<Self> {
-        let outputs = alloc::try_collect(outputs.into_iter().map(Held::of))?;
+    pub(super) fn from_outputs(outputs: Vec<Output>) -> Result<Self> {
+        let outputs = alloc::try_collect(outputs.into_iter().map(Held::from_output))?;
         Ok(gusset_outputs { outputs, message: CString::default(), fault: None })
     }
 
@@ -38,11 +38,11 @@ impl gusset_outputs {
 }
 
 impl Held {
-    fn of(output: Output) -> Result<Self> {
+    fn from_output(output: Output) -> Result<Self> {
         Ok(match output {
             Output::Mesh(mesh, origins) => Held::Mesh(mesh, origins),
             Output::Curves(mut curves) => {
-                // A host may read the first offset even where there are no curves.
+                // A host may read the first offset even if there are no curves.
                 if curves.offsets.is_empty() {
                     curves.offsets = alloc::filled(0, 1)?;
                 }
@@ -56,15 +56,14 @@ impl Held {
     }
 }
 
-/// A copy of a text, which may be long, with a NUL at its end.
+/// Copies a text, which may be long, with a closing NUL.
 fn text(of: &str) -> Result<CString> {
     let mut bytes = alloc::with_capacity(of.len() + 1)?;
     bytes.extend_from_slice(of.as_bytes());
     Ok(CString::new(bytes).unwrap_or_default())
 }
 
-/// A failure, and the numbers of the parameter and of the input that it is about, if it is about
-/// one.
+/// A failure, and the indices of the parameter and of the input at fault, if known.
 pub(super) struct Fault {
     pub(super) failure: Failure,
     pub(super) param: Option<u32>,
@@ -74,20 +73,20 @@ pub(super) struct Fault {
 impl<F: Into<Failure>> From<F> for Fault {
     fn from(failure: F) -> Self {
         let failure = failure.into();
-        // Without an element it need not be about an input.
+        // Without an element, the failure need not concern an input.
         let names_input = (failure.element != 0 || failure.input != 0) && !is_environment(&failure);
         Fault { param: None, input: names_input.then_some(failure.input), failure }
     }
 }
 
 impl Fault {
-    /// The same of input `input`, whatever it is about in it.
-    pub(super) fn of_input(self, input: u32) -> Self {
+    /// Attributes the fault to input `input`.
+    pub(super) fn with_input(self, input: u32) -> Self {
         if is_environment(&self.failure) { self } else { Fault { input: Some(input), ..self } }
     }
 }
 
-/// A cancel or a want of memory is no input's fault.
+/// Returns true for a cancel or a lack of memory, which are not an input's fault.
 fn is_environment(failure: &Failure) -> bool {
     use gusset_status::{GUSSET_ERROR_CANCELLED, GUSSET_ERROR_OUT_OF_MEMORY};
     matches!(failure.status, GUSSET_ERROR_CANCELLED | GUSSET_ERROR_OUT_OF_MEMORY)

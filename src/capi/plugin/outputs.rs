@@ -1,4 +1,4 @@
-//! How a host reads what a run left.
+//! The outputs of a run, as a host reads them.
 
 use super::descriptor::{
     GUSSET_KIND_CURVES, GUSSET_KIND_MESH, GUSSET_KIND_TEXT, GUSSET_PLUGIN_DONE, GUSSET_PLUGIN_F64, GUSSET_PLUGIN_NONE,
@@ -14,13 +14,13 @@ use std::ffi::{CStr, CString, c_char};
 use std::ptr;
 
 impl gusset_outputs {
-    /// Output `index`, if there is one.
+    /// Output `index`, if it exists.
     pub(super) fn get(&self, index: u32) -> Result<&Held, Failure> {
         self.outputs.get(index as usize).ok_or_else(|| Failure::no_such("output", index as usize))
     }
 }
 
-/// Output `index`, if there is one.
+/// Output `index`, if it exists.
 pub(super) fn held<'a>(outputs: *const gusset_outputs, index: u32) -> Result<&'a Held, Failure> {
     handle::get(outputs, "outputs").and_then(|outputs: &gusset_outputs| outputs.get(index))
 }
@@ -38,7 +38,7 @@ pub(super) unsafe extern "C" fn kind(outputs: *const gusset_outputs, index: u32)
 }
 
 pub(super) unsafe extern "C" fn mesh(outputs: *const gusset_outputs, index: u32, mesh: *mut gusset_plugin_mesh) -> i32 {
-    // Laid out alike, as `inputs` sees to.
+    // The layouts agree, as `inputs` asserts.
     let mesh = mesh.cast::<gusset_mesh_view>();
     let status = lend!(outputs, mesh, |outputs| match outputs.get(index)? {
         Held::Mesh(mesh, _) => mesh::lend(mesh),
@@ -59,7 +59,7 @@ pub(super) unsafe extern "C" fn curves(
             point_stride: size_of::<[f64; 3]>(),
             point_count: curves.points.len(),
             offsets: lent(&curves.offsets).cast(),
-            // A bool is a byte of 0 or 1.
+            // A bool is a byte, 0 or 1.
             closed: lent(&curves.closed).cast(),
             curve_count: curves.closed.len(),
             scalar: GUSSET_PLUGIN_F64,
@@ -77,7 +77,7 @@ pub(super) unsafe extern "C" fn text(outputs: *const gusset_outputs, index: u32)
     }
 }
 
-/// The numbers of output `index`; none if it is no text.
+/// Returns the values of output `index`; empty unless it is a text.
 fn values<'a>(outputs: *const gusset_outputs, index: u32) -> &'a [(CString, f64)] {
     match held(outputs, index) {
         Ok(Held::Text(_, values)) => values,
@@ -102,7 +102,7 @@ pub(super) unsafe extern "C" fn failure(outputs: *const gusset_outputs, failure:
     status as i32
 }
 
-/// What a host is told of a fault, or that there was none.
+/// Returns the failure that the host receives, or the absence of one.
 pub(super) fn report(fault: Option<&Fault>, message: &CStr) -> gusset_failure {
     let mut report = gusset_failure {
         struct_size: 0,

@@ -1,5 +1,5 @@
-//! The tables behind the one symbol, made once of [`FILTERS`] and never freed, and the functions in
-//! them by which filters are found and run. Texts get their closing NUL here.
+//! The tables behind the entry symbol, built once from [`FILTERS`] and never freed, and the
+//! functions in them that find and run filters. Texts get their closing NUL here.
 
 use super::attributes::ATTRIBUTES;
 use super::descriptor::*;
@@ -7,7 +7,7 @@ use super::inputs::{self, Given};
 use super::outcome::{Fault, gusset_outputs};
 use super::outputs;
 use crate::capi::glue::c_enum;
-use crate::capi::guard::caught;
+use crate::capi::guard::catch_panic;
 use crate::capi::handle;
 use crate::capi::host::{Host, Watch};
 use crate::capi::input::{self, Choice};
@@ -21,14 +21,14 @@ use std::ffi::{CStr, CString, c_char, c_void};
 use std::ptr;
 use std::sync::OnceLock;
 
-/// Everything that a host may look at.
+/// All data that a host may read.
 pub(super) struct Table {
     pub(super) plugin: gusset_plugin,
     /// In the order of [`FILTERS`].
     filters: Vec<Entry>,
 }
 
-/// What a filter becomes.
+/// The host's view of a filter.
 struct Entry {
     filter: gusset_filter,
     params: Vec<gusset_param_info>,
@@ -39,7 +39,7 @@ unsafe impl Send for Table {}
 // SAFETY: as above.
 unsafe impl Sync for Table {}
 
-/// The tables; made at the first call.
+/// Returns the tables, which the first call builds.
 pub(super) fn get() -> &'static Table {
     static TABLE: OnceLock<Table> = OnceLock::new();
     TABLE.get_or_init(|| Table {
@@ -68,13 +68,13 @@ pub(super) fn get() -> &'static Table {
     })
 }
 
-/// Never freed: part of the tables.
+/// Leaks a text, as part of the tables.
 fn text(of: &str) -> *const c_char {
     // A text with a NUL inside ends there.
     CString::new(of.split('\0').next().unwrap_or_default()).unwrap_or_default().into_raw()
 }
 
-/// Never freed: part of the tables.
+/// Leaks a list, as part of the tables.
 fn kept<T>(items: Vec<T>) -> *const T {
     if items.is_empty() { ptr::null() } else { Vec::leak(items).as_ptr() }
 }
@@ -156,7 +156,7 @@ unsafe extern "C" fn find(id: *const c_char) -> *const gusset_filter {
     if id.is_null() {
         return ptr::null();
     }
-    // SAFETY: not NULL; that it points to a text with a closing NUL is the host's promise.
+    // SAFETY: not NULL; the host promises that it points to a text with a closing NUL.
     let id = unsafe { CStr::from_ptr(id) };
     let place = FILTERS.iter().position(|filter| filter.id.as_bytes() == id.to_bytes());
     place.map_or(ptr::null(), |place| &raw const get().filters[place].filter)
@@ -177,7 +177,7 @@ unsafe extern "C" fn extension(name: *const c_char) -> *const c_void {
     if name.is_null() {
         return ptr::null();
     }
-    // SAFETY: not NULL; that it points to a text with a closing NUL is the host's promise.
+    // SAFETY: not NULL; the host promises that it points to a text with a closing NUL.
     match unsafe { CStr::from_ptr(name) }.to_bytes() {
         b"values/1" => (&raw const VALUES).cast(),
         b"attributes/1" => (&raw const ATTRIBUTES).cast(),
@@ -185,7 +185,7 @@ unsafe extern "C" fn extension(name: *const c_char) -> *const c_void {
     }
 }
 
-/// As the descriptor says of `run`.
+/// Implements `run` of the descriptor.
 unsafe extern "C" fn run(
     filter: *const gusset_filter,
     host: *const gusset_host,
@@ -199,22 +199,22 @@ unsafe extern "C" fn run(
         Ok(slot) => slot,
         Err(failure) => return failure.status as i32,
     };
-    let outcome: Result<_, Fault> = caught(|| {
-        let filter = meant(filter)?;
+    let outcome: Result<_, Fault> = catch_panic(|| {
+        let filter = resolve(filter)?;
         let (threads, callbacks) = inputs::host(host)?;
         let traced = inputs::wants_origins(host)?;
         let watch = Watch::default();
         let host = Host::new(&watch, callbacks);
         let job = Job::new(threads, &host);
-        // Before the inputs are looked at: a host that has stopped waiting waits no longer.
+        // Before reading the inputs, so that a host that has cancelled does not wait.
         job.step(0.0, "reading inputs")?;
         let given = inputs::inputs(filter, given, input_count, &job.part(0.0, 0.05))?;
         let given: Vec<Input<'_>> = given.iter().map(Given::lend).collect();
-        // No more of them are read than the filter has.
+        // Read at most as many values as the filter has.
         filter.check_value_count(value_count as usize)?;
         let values = input::list(values, value_count as usize, "values")?;
         let outputs = answer(filter, &given, &values, traced, &job.part(0.05, 1.0))?;
-        let outputs = handle::boxed(gusset_outputs::of(outputs)?);
+        let outputs = handle::boxed(gusset_outputs::from_outputs(outputs)?);
         job.finish()?;
         Ok(outputs)
     });
@@ -225,7 +225,7 @@ unsafe extern "C" fn run(
         }
         Err(fault) => {
             let status = fault.failure.status as i32;
-            if let Ok(failed) = caught(|| Ok::<_, Failure>(handle::boxed(gusset_outputs::failed(fault)))) {
+            if let Ok(failed) = catch_panic(|| Ok::<_, Failure>(handle::boxed(gusset_outputs::failed(fault)))) {
                 *slot = handle::give(failed);
             }
             status
@@ -233,15 +233,15 @@ unsafe extern "C" fn run(
     }
 }
 
-/// As the descriptor says of `suggest`.
+/// Implements `suggest` of the descriptor.
 unsafe extern "C" fn suggest(
     filter: *const gusset_filter,
     given: *const gusset_input,
     input_count: u32,
     values: *mut f64,
 ) -> i32 {
-    let outcome: Result<_, Fault> = caught(|| {
-        let filter = meant(filter)?;
+    let outcome: Result<_, Fault> = catch_panic(|| {
+        let filter = resolve(filter)?;
         let plain = filter.plain_defaults();
         let out = input::results(values, plain.len(), "values")?;
         out.copy_from_slice(&plain);
@@ -253,16 +253,16 @@ unsafe extern "C" fn suggest(
     outcome.map_or_else(|fault| fault.failure.status as i32, |()| GUSSET_PLUGIN_DONE)
 }
 
-/// What a host means by a pointer into the tables.
-fn entry(of: *const gusset_filter) -> Option<(&'static Entry, &'static Filter)> {
-    get().filters.iter().zip(FILTERS).find(|(entry, _)| ptr::eq(&raw const entry.filter, of))
+/// Resolves a host's pointer into the tables.
+fn entry(pointer: *const gusset_filter) -> Option<(&'static Entry, &'static Filter)> {
+    get().filters.iter().zip(FILTERS).find(|(entry, _)| ptr::eq(&raw const entry.filter, pointer))
 }
 
-fn meant(filter: *const gusset_filter) -> Result<&'static Filter, Failure> {
+fn resolve(filter: *const gusset_filter) -> Result<&'static Filter, Failure> {
     if filter.is_null() {
         return Err(Failure::null("filter"));
     }
-    let unknown = || Failure::new(gusset_status::GUSSET_ERROR_NO_SUCH_ELEMENT, "this filter is none of the plugin's");
+    let unknown = || Failure::new(gusset_status::GUSSET_ERROR_NO_SUCH_ELEMENT, "filter does not belong to the plugin");
     entry(filter).map(|(_, filter)| filter).ok_or_else(unknown)
 }
 
@@ -281,8 +281,8 @@ fn answer(
         };
         let unfit = if let Error::InputUnfit { input, .. } = error { Some(input) } else { None };
         let (side, fault) = (error.side(), Fault::from(error));
-        // An element may be one of any input, unless there is one only, or the error says of which
-        // of two it is.
+        // An element may belong to any input, unless there is only one, or the error names one of
+        // two.
         let input = match (given.len(), side) {
             _ if unfit.is_some() => unfit,
             (1, _) => fault.input.map(|_| 0),

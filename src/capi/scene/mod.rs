@@ -78,7 +78,7 @@ fn changed<'a>(scene: *mut gusset_scene, job: &Job<'_>) -> Result<&'a mut Scene,
     Ok(&mut handle::get_mut(scene, "scene")?.0)
 }
 
-/// A net of the caller's as it is now, for a scene to keep; none for NULL.
+/// Shares the current net of the caller, for a scene; `None` for NULL.
 fn shared(net: *const gusset_net) -> Result<Option<Arc<Net<'static>>>, Failure> {
     if net.is_null() { Ok(None) } else { Ok(Some(handle::get(net, "net")?.share()?)) }
 }
@@ -276,7 +276,7 @@ pub unsafe extern "C" fn gusset_scene_net_create(
     entry: u32,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |_| Ok(gusset_net::of_shared(self::scene(scene)?.net(entry)?.clone())))
+    create(context, net, "net", |_| Ok(gusset_net::from_shared(self::scene(scene)?.net(entry)?.clone())))
 }
 
 /// Writes the entries of a group, in order.

@@ -92,7 +92,7 @@ pub struct gusset_nearest_angle_report {
 
 versioned! { gusset_contour_options: 24, gusset_contour_function: 80, gusset_nearest_angle_report: 112 }
 
-/// The points between crossings that the caller's options ask for.
+/// Converts the caller's spacing of the points between crossings.
 pub(crate) fn spacing(spacing: gusset_spacing_rule, chord: f64, points: u32) -> Result<PointSpacing, Failure> {
     Ok(match spacing {
         GUSSET_POINT_SPACING_AUTO => PointSpacing::Auto,

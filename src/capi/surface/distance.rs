@@ -87,7 +87,7 @@ pub struct gusset_distance_report {
 versioned! { gusset_target: 144 reserved, gusset_distance_report: 192 }
 
 impl gusset_distance_report {
-    /// Without the place on the target.
+    /// Omits the place on the target.
     fn new<T>(found: &Approach<T>) -> Self {
         let flag = |on: bool, flag: u32| if on { flag } else { 0 };
         gusset_distance_report {
@@ -131,7 +131,7 @@ pub unsafe extern "C" fn gusset_surface_distance(
     answer_struct(context, (report, "report"), |job| {
         let (surface, target) = (read(surface)?, input::read(target, false, "target")?);
         let tolerance = (tolerance != 0.0).then_some(tolerance);
-        let field = |failure: Failure| failure.of_field("target");
+        let field = |failure: Failure| failure.with_field("target");
         Ok(match target.kind {
             GUSSET_TARGET_LINE => {
                 let found = surface.distance_to_line(&lines(&raw const target.line, 1)?[0], tolerance, job)?;

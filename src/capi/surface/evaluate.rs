@@ -87,14 +87,14 @@ impl From<LocalGeometry> for gusset_surface_point {
     }
 }
 
-/// Places located between two reports of progress.
+/// Places located between two progress reports.
 const LOCATED: usize = 1 << 20;
 
-/// The caller's places on a surface, at any alignment.
+/// Reads the caller's places on a surface, at any alignment.
 pub(crate) fn surface_places(data: *const gusset_surface_place, count: usize) -> Result<Vec<Place>, Failure> {
     let place = |(k, given): (usize, gusset_surface_place)| match given.reserved {
         0 => Ok(Place { sheet: given.sheet, cell: [given.row, given.column], u: given.u, v: given.v }),
-        other => Err(Failure::unknown("reserved", other.into()).of_item(k)),
+        other => Err(Failure::unknown("reserved", other.into()).with_item(k)),
     };
     alloc::try_collect(input::items(data, count, "places")?.enumerate().map(place))
 }

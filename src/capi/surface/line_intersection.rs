@@ -121,7 +121,7 @@ impl From<&Hit> for gusset_surface_hit {
     }
 }
 
-/// The caller's lines, at any alignment.
+/// Reads the caller's lines, at any alignment.
 pub(crate) fn lines(lines: *const gusset_line, count: usize) -> Result<Vec<Line>, Failure> {
     let lines = input::items(lines, count, "lines")?.map(|line: gusset_line| {
         let (origin, direction) = (DVec3::from_array(line.origin), DVec3::from_array(line.direction));

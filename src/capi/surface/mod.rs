@@ -180,7 +180,7 @@ fixed! { gusset_surface_place: 32, gusset_surface_contact: 88, gusset_surface_sh
 c_enum! { kind: ContactKind { GUSSET_CONTACT_POINT => Point, GUSSET_CONTACT_CROSSING => Crossing } }
 
 impl gusset_surface_sheet {
-    /// The sheets of a surface.
+    /// Returns the views of a surface's sheets.
     pub(crate) fn all(surface: &Surface<'_>) -> Result<Vec<Self>, Error> {
         let (mut first_cell, mut first_node) = (0, 0);
         alloc::collect((0..surface.len()).map(|k| {
@@ -209,7 +209,7 @@ impl From<Contact> for gusset_surface_contact {
     }
 }
 
-/// The surface of a handle.
+/// Returns the surface of a handle.
 pub(crate) fn read<'a>(surface: *const gusset_surface) -> Result<&'a Surface<'static>, Failure> {
     Ok(&handle::get(surface, "surface")?.0)
 }
@@ -233,7 +233,7 @@ impl TryFrom<Paths> for gusset_surface_paths {
     }
 }
 
-/// The sheets of an array of handles; copies share their nodes.
+/// Reads the sheets of an array of handles; copies share their nodes.
 fn sheets(handles: *const *const gusset_sheet, count: usize) -> Result<Vec<Sheet<'static>>, Failure> {
     let handles = handle::list(handles, count, "sheets")?;
     alloc::try_collect(handles.map(|handle| Ok(handle?.0.clone())))

@@ -112,7 +112,7 @@ impl From<Option<Closest>> for gusset_surface_nearest_point {
 }
 
 impl gusset_nearest_options {
-    /// The limit, or infinity.
+    /// Returns the limit, or infinity if there is none.
     fn limit(&self) -> f64 {
         if self.limit == 0.0 { f64::INFINITY } else { self.limit }
     }

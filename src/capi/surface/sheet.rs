@@ -97,7 +97,7 @@ pub struct gusset_tangents {
 
 versioned! { gusset_nodes: 64, gusset_tangents: 40 reserved }
 
-/// How the caller's nodes lie, in bytes.
+/// The layout of the caller's nodes, in bytes.
 struct Layout {
     row: usize,
     column: usize,
@@ -105,32 +105,33 @@ struct Layout {
 }
 
 impl Layout {
-    fn of(nodes: &gusset_nodes, size: usize) -> Result<Self, Failure> {
+    fn new(nodes: &gusset_nodes, size: usize) -> Result<Self, Failure> {
         let (rows, columns) = (nodes.rows, nodes.columns);
         if rows < 2 || columns < 2 {
             return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 }.into());
         }
         let column = if nodes.column_stride == 0 { 3 * size } else { nodes.column_stride };
         let width = Strided::span(columns, column, 3 * size, "nodes of a row")?;
-        // Of two columns and more these are at most twice the width, which is no overflow.
+        // With at least two columns these are at most twice the width, so the product does not
+        // overflow.
         let row = if nodes.row_stride == 0 { columns * column } else { nodes.row_stride };
         Ok(Layout { row, column, span: Strided::span(rows, row, width, "rows of nodes")? })
     }
 }
 
-/// The sheet of a handle.
+/// Returns the sheet of a handle.
 pub(crate) fn read<'a>(sheet: *const gusset_sheet) -> Result<&'a Sheet<'static>, Failure> {
     Ok(&handle::get(sheet, "sheet")?.0)
 }
 
-/// Nodes that are copied between two progress reports.
+/// Nodes copied between two progress reports.
 const NODES_PER_REPORT: usize = 1 << 17;
 
-/// A copy of the caller's numbers, packed.
+/// Copies the caller's numbers into packed form.
 fn copied_nodes(nodes: &gusset_nodes, job: &Job<'_>) -> Result<Nodes<'static>, Failure> {
     let kind: Scalar = choice(nodes.scalar)?;
-    let layout = Layout::of(nodes, kind.position_size() / 3)?;
-    // Refused before anything is read.
+    let layout = Layout::new(nodes, kind.position_size() / 3)?;
+    // Reject the size before reading anything.
     let count = nodes.rows.saturating_mul(nodes.columns);
     Error::check_count("nodes", count as u64, MAX_NODES)?;
     let bytes = input::bytes(nodes.nodes, layout.span, 1, "nodes")?;
@@ -149,14 +150,14 @@ fn copied_nodes(nodes: &gusset_nodes, job: &Job<'_>) -> Result<Nodes<'static>, F
     Ok(Nodes::strided(numbers, nodes.rows, nodes.columns, 0, 0)?)
 }
 
-/// The caller's numbers themselves.
+/// Borrows the caller's numbers.
 fn borrowed_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failure> {
-    let layout = Layout::of(nodes, 8)?;
+    let layout = Layout::new(nodes, 8)?;
     if choice::<Scalar>(nodes.scalar)? != Scalar::F64
         || !layout.row.is_multiple_of(8)
         || !layout.column.is_multiple_of(8)
     {
-        let message = "nodes in the caller's memory are f64, and whole numbers apart";
+        let message = "nodes in the caller's memory must be f64, with strides that are multiples of 8 bytes";
         return Err(Failure { value: layout.column as f64, ..Failure::new(GUSSET_ERROR_BAD_STRIDE, message) });
     }
     let numbers: &'static [f64] = input::results(nodes.nodes.cast::<f64>().cast_mut(), layout.span / 8, "nodes")?;
@@ -165,7 +166,7 @@ fn borrowed_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failure> {
 
 c_enum! { scheme: Scheme { GUSSET_SCHEME_SIX_TAP => SixTap, GUSSET_SCHEME_FOUR_POINT => FourPoint } }
 
-/// The bicubic Hermite surface through nodes with the caller's tangents.
+/// Returns the bicubic Hermite surface through nodes with the caller's tangents.
 fn with_tangents(
     nodes: &Nodes<'_>,
     closed: [bool; 2],

@@ -106,7 +106,7 @@ versioned! { gusset_spline: 80, gusset_curve_net: 56 }
 
 c_enum! { kind: FrameSurface { GUSSET_FRAME_NODES => Nodes, GUSSET_FRAME_CURVES => Curves } }
 
-/// The caller's curves, borrowed.
+/// Borrows the caller's curves.
 fn curves<'a>(
     handles: *const *const gusset_curve,
     count: usize,

@@ -143,7 +143,7 @@ pub struct gusset_cell_arrays {
 
 versioned! { gusset_sheet_measures: 40, gusset_cell_arrays: 56 }
 
-/// A buffer for a number a cell, if one is wanted.
+/// Returns the caller's buffer for a number a cell; `None` if it is omitted.
 fn buffer<'a>(
     pointer: *mut f64,
     needed: usize,
@@ -154,7 +154,7 @@ fn buffer<'a>(
         return Ok(None);
     }
     if capacity < needed {
-        let message = format!("{needed} cells, and room for {capacity}");
+        let message = format!("the buffer has room for {capacity} cells, but {needed} are needed");
         return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
     }
     input::results(pointer, needed, name).map(Some)

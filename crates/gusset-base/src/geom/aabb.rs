@@ -44,7 +44,7 @@ impl Aabb {
         Aabb { low: self.low - by, high: self.high + by }
     }
 
-    /// The Minkowski sum: all sums of a point of each box.
+    /// Returns the Minkowski sum: all sums of a point of each box.
     #[inline]
     pub fn sum(self, other: Aabb) -> Aabb {
         Aabb { low: self.low + other.low, high: self.high + other.high }
@@ -61,7 +61,7 @@ impl Aabb {
         self.high - self.low
     }
 
-    /// The distance between opposite corners.
+    /// Returns the distance between opposite corners.
     #[inline]
     pub fn diagonal(&self) -> f64 {
         self.low.distance(self.high)
@@ -72,7 +72,7 @@ impl Aabb {
         self.low.midpoint(self.high)
     }
 
-    /// An upper bound of the length of every vector in the box.
+    /// Returns an upper bound of the length of every vector in the box.
     #[inline]
     pub fn max_norm(&self) -> f64 {
         self.low.abs().max(self.high.abs()).length()
@@ -84,20 +84,20 @@ impl Aabb {
         self.low.cmple(other.high).all() && other.low.cmple(self.high).all()
     }
 
-    /// The distance of a point from the box along each axis, 0 where the point is within the box's
-    /// range.
+    /// Returns the distance of a point from the box along each axis, 0 where the point is within
+    /// the box's range.
     #[inline]
-    pub fn outside(&self, point: DVec3) -> DVec3 {
+    pub fn axis_distances(&self, point: DVec3) -> DVec3 {
         (self.low - point).max(point - self.high).max(DVec3::ZERO)
     }
 
-    /// The squared distance to a point; infinite for the empty box.
+    /// Returns the squared distance to a point; infinite for the empty box.
     #[inline]
     pub fn distance_squared(&self, point: DVec3) -> f64 {
-        self.outside(point).length_squared()
+        self.axis_distances(point).length_squared()
     }
 
-    /// The gap between the boxes along each axis, negative where they overlap.
+    /// Returns the gap between the boxes along each axis, negative where they overlap.
     #[inline]
     pub fn separation(&self, other: &Aabb) -> DVec3 {
         (self.low - other.high).max(other.low - self.high)
@@ -109,14 +109,15 @@ impl Aabb {
         self.separation(other).max_element() <= slack
     }
 
-    /// The distance between the boxes, 0 if they overlap.
+    /// Returns the distance between the boxes, 0 if they overlap.
     #[inline]
     pub fn distance(&self, other: &Aabb) -> f64 {
         self.separation(other).max(DVec3::ZERO).length()
     }
 }
 
-/// The minimum and maximum of some numbers; [infinity, -infinity] if there are none. Skips NaN.
+/// Returns the minimum and maximum of some numbers; [infinity, -infinity] if there are none. Skips
+/// NaN.
 #[inline(always)]
 pub fn range(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
     values.into_iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])

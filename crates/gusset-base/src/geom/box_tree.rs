@@ -176,7 +176,7 @@ fn longest_axis(boxes: &[Aabb], order: &[u32]) -> SplitRule {
     (end, spread.max_position())
 }
 
-/// The position at which a part is split, a whole number of groups.
+/// Returns the position at which a part is split, a whole number of groups.
 fn split_position(order: &[u32], group: usize) -> usize {
     group * (order.len().div_ceil(group).next_power_of_two() / 2)
 }
@@ -188,7 +188,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn equals_brute_force(
+        fn queries_agree_with_brute_force(
             corners in prop::collection::vec((0u8..9, 0u8..9, 0u8..9, 0u8..3, 0u8..3, 0u8..3), 1..80),
             group in 1usize..5,
         ) {

@@ -41,7 +41,7 @@ impl DisjointSets {
         Ok(())
     }
 
-    /// The parent of an element; a root is its own parent.
+    /// Returns the parent of an element; a root is its own parent.
     #[inline]
     pub fn parent(&self, i: u32) -> u32 {
         self.parents[i as usize]
@@ -72,7 +72,7 @@ impl DisjointSets {
         i != j
     }
 
-    /// The roots, in ascending order.
+    /// Returns the roots, in ascending order.
     pub fn roots(&self) -> impl Iterator<Item = u32> + '_ {
         (0..).zip(&self.parents).filter(|&(i, &parent)| i == parent).map(|(i, _)| i)
     }

@@ -63,7 +63,7 @@ pub fn hull_distance(a: &[DVec3], b: &[DVec3], limit: f64, tolerance: f64) -> Hu
     HullDistance { bound, corners: simplex, count }
 }
 
-/// The first point with the smallest product with a direction, and the product.
+/// Returns the first point with the smallest product with a direction, and the product.
 fn least(points: &[DVec3], direction: DVec3) -> (usize, f64) {
     let mut found = (0, f64::INFINITY);
     for (k, point) in points.iter().enumerate() {

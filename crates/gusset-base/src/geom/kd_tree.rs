@@ -80,7 +80,8 @@ impl<'a> KdTree<'a> {
         Ok(tree)
     }
 
-    /// The points' indices in the order of the tree, in which neighbours are close together.
+    /// Returns the points' indices in the order of the tree, in which neighbours are close
+    /// together.
     #[inline]
     pub fn order(&self) -> &[u32] {
         &self.order
@@ -153,7 +154,7 @@ impl<'a> KdTree<'a> {
         accept: impl Fn(u32) -> bool,
     ) -> Option<(f64, u32)> {
         let mut best = (limit, u32::MAX);
-        self.search(0..self.order.len(), query, self.whole.outside(query), own, &accept, &mut best);
+        self.search(0..self.order.len(), query, self.whole.axis_distances(query), own, &accept, &mut best);
         (best.1 != u32::MAX).then_some(best)
     }
 
@@ -287,7 +288,7 @@ impl Radius {
         self.squared(difference) <= self.limit
     }
 
-    /// The scaled squared length of a vector; infinite if it overflows.
+    /// Returns the scaled squared length of a vector; infinite if it overflows.
     fn squared(self, difference: DVec3) -> f64 {
         (difference / self.unit).length_squared()
     }
@@ -324,12 +325,13 @@ fn split(points: &[DVec3], order: &mut [u32], axes: &mut [u8]) {
     }
 }
 
-/// The axis along which the points of a range are spread most.
+/// Returns the axis along which the points of a range are spread most.
 fn longest_axis(points: &[DVec3], order: &[u32]) -> usize {
     Aabb::from_points(order.iter().map(|&i| points[i as usize])).size().max_position()
 }
 
-/// The halves on either side of the middle of a range. Stores `axis` as the axis of the middle.
+/// Returns the halves on either side of the middle of a range. Stores `axis` as the axis of the
+/// middle.
 fn halves<'a>(order: &'a mut [u32], axes: &'a mut [u8], axis: usize) -> [(&'a mut [u32], &'a mut [u8]); 2] {
     let middle = order.len() / 2;
     axes[middle] = axis as u8;

@@ -37,9 +37,9 @@ pub fn node_normals(nodes: &[DVec3], [rows, columns]: [usize; 2], closed: [bool;
     Ok(normals)
 }
 
-/// The tangent direction, at point `k`, of the circle through the point and its nearest distinct
-/// neighbours on either side. At an end of an open line the circle passes through the next two
-/// points.
+/// Returns the tangent direction, at point `k`, of the circle through the point and its nearest
+/// distinct neighbours on either side. At an end of an open line the circle passes through the next
+/// two points.
 pub fn tangent(count: usize, closed: bool, k: usize, at: impl Fn(usize) -> DVec3) -> DVec3 {
     let p = at(k);
     // The distinct points on one side, the nearest first, inverted about p. Inversion maps the
@@ -60,7 +60,7 @@ pub fn tangent(count: usize, closed: bool, k: usize, at: impl Fn(usize) -> DVec3
     direction.normalize_or_zero()
 }
 
-/// The axis about which successive vectors turn.
+/// Returns the axis about which successive vectors turn.
 fn turning_axis(count: usize, closed: bool, direction: impl Fn(usize) -> DVec3) -> DVec3 {
     let end = if closed { count } else { count - 1 };
     (0..end).map(|k| direction(k).cross(direction((k + 1) % count))).sum::<DVec3>().normalize_or_zero()

@@ -15,14 +15,15 @@ pub fn common_unit<'a>(points: impl IntoIterator<Item = &'a DVec3>) -> f64 {
     floor_to_power_of_two(largest)
 }
 
-/// The largest power of two that does not exceed a positive number, clamped to 2^-900 .. 2^900.
+/// Returns the largest power of two that does not exceed a positive number, clamped to 2^-900 ..
+/// 2^900.
 #[inline]
 pub fn floor_to_power_of_two(x: f64) -> f64 {
     let exponent = ((x.to_bits() >> 52) & 0x7ff).clamp(1023 - 900, 1023 + 900);
     f64::from_bits(exponent << 52)
 }
 
-/// The distance between two points of any magnitude.
+/// Returns the distance between two points of any magnitude.
 #[inline]
 pub fn distance(p: DVec3, q: DVec3) -> f64 {
     let unit = common_unit(&[p, q]);

@@ -33,8 +33,8 @@ impl<'a> Strided<'a> {
         Strided { bytes: bytemuck::cast_slice(elements), stride: size, size, count: elements.len() }
     }
 
-    /// The number of bytes from the start of the first element to the end of the last, which need
-    /// not fill its stride.
+    /// Returns the number of bytes from the start of the first element to the end of the last,
+    /// which need not fill its stride.
     ///
     /// # Errors
     /// [`Error::StrideTooSmall`], [`Error::SizeOverflow`].
@@ -49,7 +49,7 @@ impl<'a> Strided<'a> {
         bytes.filter(|&n| n <= isize::MAX as usize).ok_or(Error::SizeOverflow { what, count: count as u64 })
     }
 
-    /// The number of elements.
+    /// Returns the number of elements.
     #[inline]
     pub fn count(&self) -> usize {
         self.count
@@ -67,7 +67,7 @@ impl<'a> Strided<'a> {
         bytemuck::pod_read_unaligned(&self.bytes[at..at + size_of::<T>()])
     }
 
-    /// All bytes, if the elements are contiguous.
+    /// Returns all bytes, if the elements are contiguous.
     #[inline]
     pub fn without_gaps(&self) -> Option<&'a [u8]> {
         (self.stride == self.size).then_some(self.bytes)

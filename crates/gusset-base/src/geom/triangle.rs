@@ -2,13 +2,13 @@
 
 use glam::DVec3;
 
-/// Twice the area of the triangle a, b, c: |(b - a) x (c - a)|.
+/// Returns twice the area of the triangle a, b, c: |(b - a) x (c - a)|.
 #[inline]
 pub fn double_area(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     (b - a).cross(c - a).length()
 }
 
-/// The smallest interior angle, in radians; 0 for a degenerate triangle.
+/// Returns the smallest interior angle, in radians; 0 for a degenerate triangle.
 ///
 /// The smallest angle is opposite the shortest side. The arc tangent of (cross, dot) is accurate
 /// for any angle, and `libm`'s version returns the same bits on every machine.
@@ -29,7 +29,7 @@ pub fn min_angle(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     }
 }
 
-/// The aspect ratio: the longest side over 2 sqrt(3) times the inradius. It is 1 for the
+/// Returns the aspect ratio: the longest side over 2 sqrt(3) times the inradius. It is 1 for the
 /// equilateral triangle and infinite for a degenerate one.
 pub fn aspect(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     let sides = [(b - a).length(), (c - b).length(), (a - c).length()];
@@ -41,8 +41,8 @@ pub fn aspect(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     if area2 == 0.0 { f64::INFINITY } else { longest * perimeter / (2.0 * 3f64.sqrt() * area2) }
 }
 
-/// The barycentric coordinates of the triangle's point nearest to `p`. They are at least 0 and
-/// their sum is 1 up to round-off.
+/// Returns the barycentric coordinates of the triangle's point nearest to `p`. They are at least 0
+/// and their sum is 1 up to round-off.
 ///
 /// Source: C. Ericson, *Real-time collision detection* (2005), section 5.1.5. The signs of products
 /// tell which corner, side or face has `p` in its Voronoi region.
@@ -107,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn known_triangles() {
+    fn measures_of_known_triangles_are_exact() {
         let (o, x, y) = (DVec3::ZERO, DVec3::X, DVec3::Y);
         assert_eq!(double_area(o, x, y), 1.0);
         assert!((min_angle(o, x, y) - PI / 4.0).abs() < 1e-15);

@@ -63,19 +63,19 @@ impl Symmetric {
 }
 
 impl Factor {
-    /// The number of columns in each block of rows of a supernode.
+    /// Returns the number of columns in each block of rows of a supernode.
     pub fn blocks(&self, s: usize) -> impl ExactSizeIterator<Item = usize> + DoubleEndedIterator + use<> {
         blocks(self.supernodes.columns(s).len(), self.supernodes.rows(s).len())
     }
 }
 
-/// The number of columns in each block of rows, of a supernode with the given numbers of columns
-/// and of rows below them.
+/// Returns the number of columns in each block of rows, of a supernode with the given numbers of
+/// columns and of rows below them.
 fn blocks(columns: usize, rows: usize) -> impl ExactSizeIterator<Item = usize> + DoubleEndedIterator {
     (0..(columns + rows).div_ceil(LANES)).map(move |b| columns.min(LANES * (b + 1)))
 }
 
-/// The number of entries in a triangle with its diagonal.
+/// Returns the number of entries in a triangle with its diagonal.
 fn triangle(rows: usize) -> usize {
     rows * (rows + 1) / 2
 }

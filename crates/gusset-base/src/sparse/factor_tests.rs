@@ -13,7 +13,7 @@ use std::ops::ControlFlow;
 
 type Dense = Vec<Vec<f64>>;
 
-/// The sparse form of a dense symmetric matrix: all its non-zero entries.
+/// Returns the sparse form of a dense symmetric matrix: all its non-zero entries.
 fn sparse(a: &Dense) -> Symmetric {
     let mut matrix = Symmetric { start: vec![0], entries: Vec::new(), diagonal: Vec::new() };
     for (k, row) in a.iter().enumerate() {

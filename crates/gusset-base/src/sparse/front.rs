@@ -34,7 +34,7 @@ pub(super) struct Front {
     own: Vec<f64>,
 }
 
-/// The start of block `b`.
+/// Returns the start of block `b`.
 fn start(b: usize) -> usize {
     LANES * b * (b + 1) / 2
 }
@@ -55,7 +55,7 @@ impl Front {
         Ok(())
     }
 
-    /// An entry on the diagonal or below it.
+    /// Returns an entry on the diagonal or below it.
     #[inline]
     pub(super) fn entry(&mut self, row: usize, column: usize) -> &mut f64 {
         &mut self.entries[start(row / LANES) + column][row % LANES]
@@ -101,12 +101,12 @@ impl Front {
         Ok(())
     }
 
-    /// The number of blocks of rows.
+    /// Returns the number of blocks of rows.
     fn blocks(&self) -> usize {
         self.size.div_ceil(LANES)
     }
 
-    /// The columns of a block of rows.
+    /// Returns the columns of a block of rows.
     pub(super) fn block(&self, b: usize) -> &[Lanes] {
         &self.entries[start(b)..start(b + 1)]
     }

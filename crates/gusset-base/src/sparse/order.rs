@@ -38,7 +38,7 @@ pub trait Coupling {
     /// Visits the rows that have an entry of an unknown.
     fn each_row(&self, v: u32, visit: impl FnMut(usize));
 
-    /// The distance over which unknowns are coupled, in edges.
+    /// Returns the distance over which unknowns are coupled, in edges.
     fn reach(&self) -> usize;
 
     /// Returns true if an unknown is coupled with one that has an entry in a row accepted by

@@ -101,22 +101,22 @@ impl Supernodes {
         Ok(Supernodes { order: numbers, place, first, rows: Vec::new(), rows_start: vec![0, 0], parent, subtree })
     }
 
-    /// The number of groups.
+    /// Returns the number of groups.
     pub fn len(&self) -> usize {
         self.parent.len()
     }
 
-    /// The columns of a group.
+    /// Returns the columns of a group.
     pub fn columns(&self, s: usize) -> Range<usize> {
         self.first[s] as usize..self.first[s + 1] as usize
     }
 
-    /// The rows below the columns in which the group has entries.
+    /// Returns the rows below the columns in which the group has entries.
     pub fn rows(&self, s: usize) -> &[u32] {
         &self.rows[self.rows_start[s]..self.rows_start[s + 1]]
     }
 
-    /// The children of a group, the last one first.
+    /// Returns the children of a group, the last one first.
     pub fn children(&self, s: usize) -> impl Iterator<Item = usize> + '_ {
         let child = move |s_before: usize| s_before.checked_sub(1).filter(|&c| self.parent[c] == s as u32);
         std::iter::successors(child(s), move |&c| child(self.subtree[c] as usize))
@@ -173,7 +173,7 @@ struct Size {
 }
 
 impl Size {
-    /// The number of entries on and below the diagonal.
+    /// Returns the number of entries on and below the diagonal.
     fn entries(self) -> u64 {
         self.columns * (self.columns + 1) / 2 + self.columns * self.rows
     }
@@ -192,8 +192,8 @@ impl Size {
     }
 }
 
-/// The last column of each column's group. Proceeds from the leaves: each column absorbs the groups
-/// of its children, the last one first, while that adds few zeros.
+/// Returns the last column of each column's group. Proceeds from the leaves: each column absorbs
+/// the groups of its children, the last one first, while that adds few zeros.
 fn groups(parent: &[u32], count: &[u32]) -> Result<Vec<u32>> {
     let n = parent.len();
     let mut last = alloc::collect(0..n as u32)?;

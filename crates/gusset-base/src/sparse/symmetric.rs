@@ -12,19 +12,20 @@ pub struct Symmetric {
 }
 
 impl Symmetric {
-    /// The number of rows.
+    /// Returns the number of rows.
     #[inline]
     pub fn row_count(&self) -> usize {
         self.diagonal.len()
     }
 
-    /// The entries of column `k` above the diagonal, which are the entries of row `k` before it.
+    /// Returns the entries of column `k` above the diagonal, which are the entries of row `k`
+    /// before it.
     #[inline]
     pub fn column(&self, k: usize) -> &[(u32, f64)] {
         &self.entries[self.start[k]..self.start[k + 1]]
     }
 
-    /// The entries below the diagonal, column by column. Takes 16 bytes an entry.
+    /// Returns the entries below the diagonal, column by column. Takes 16 bytes an entry.
     #[inline]
     pub fn below(&self, job: &Job<'_>) -> Result<Buckets<(u32, f64)>> {
         let columns = (0..self.row_count()).flat_map(|k| self.column(k).iter().map(move |&(i, value)| (k, i, value)));

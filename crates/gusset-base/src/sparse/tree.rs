@@ -18,7 +18,7 @@ use crate::sort::Buckets;
 /// Columns between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 15;
 
-/// The parents of all columns; `NONE` for a root.
+/// Returns the parents of all columns; `NONE` for a root.
 pub(super) fn parents(matrix: &Symmetric, job: &Job<'_>) -> Result<Vec<u32>> {
     let n = matrix.row_count();
     let mut parent = alloc::filled(NONE, n)?;
@@ -40,7 +40,7 @@ pub(super) fn parents(matrix: &Symmetric, job: &Job<'_>) -> Result<Vec<u32>> {
     Ok(parent)
 }
 
-/// The nodes of a forest in postorder: children before parents, subtree after subtree.
+/// Returns the nodes of a forest in postorder: children before parents, subtree after subtree.
 pub(super) fn postorder(parent: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
     let n = parent.len();
     let (mut first_child, mut next_sibling) = (alloc::filled(NONE, n + 1)?, alloc::filled(NONE, n)?);
@@ -64,8 +64,8 @@ pub(super) fn postorder(parent: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
     }
 }
 
-/// The number of entries in each column of the factor, including the diagonal. `below` has the
-/// matrix's entries below the diagonal, column by column.
+/// Returns the number of entries in each column of the factor, including the diagonal. `below` has
+/// the matrix's entries below the diagonal, column by column.
 ///
 /// The columns of row i of L form a subtree with root i, and the matrix has an entry of row i in
 /// every leaf. Each leaf counts for itself and its ancestors. Where it meets the previous leaf, in

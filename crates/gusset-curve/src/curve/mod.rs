@@ -41,7 +41,7 @@ pub struct Place {
 impl Place {
     pub(super) const START: Place = Place { segment: 0, t: 0.0 };
 
-    /// The place as one number: the segment plus the parameter.
+    /// Returns the place as one number: the segment plus the parameter.
     pub(super) fn position(self) -> f64 {
         f64::from(self.segment) + self.t
     }
@@ -83,12 +83,12 @@ impl<'a> CurveView<'a> {
         CurveView { points, ends, closed }
     }
 
-    /// All control points. A closed curve repeats its first one at the end.
+    /// Returns all control points. A closed curve repeats its first one at the end.
     pub fn points(&self) -> &'a [DVec3] {
         self.points
     }
 
-    /// The offsets of the segments; see [`CurveView::new`].
+    /// Returns the offsets of the segments; see [`CurveView::new`].
     pub fn ends(&self) -> &'a [u32] {
         self.ends
     }
@@ -98,7 +98,7 @@ impl<'a> CurveView<'a> {
         self.closed
     }
 
-    /// The number of segments; 0 for the curve of an outline without extent.
+    /// Returns the number of segments; 0 for the curve of an outline without extent.
     pub fn len(&self) -> usize {
         self.ends.len().saturating_sub(1)
     }
@@ -108,7 +108,7 @@ impl<'a> CurveView<'a> {
         self.len() == 0
     }
 
-    /// The control points of segment `k`: one more than its degree.
+    /// Returns the control points of segment `k`: one more than its degree.
     ///
     /// # Panics
     /// If segment `k` does not exist.
@@ -116,7 +116,7 @@ impl<'a> CurveView<'a> {
         &self.points[self.ends[k] as usize..=self.ends[k + 1] as usize]
     }
 
-    /// The control points of each segment.
+    /// Returns the control points of each segment.
     pub fn segments(&self) -> impl ExactSizeIterator<Item = &'a [DVec3]> + Clone + use<'a> {
         let points = self.points;
         self.ends.windows(2).map(move |pair| &points[pair[0] as usize..=pair[1] as usize])
@@ -130,7 +130,7 @@ impl<'a> CurveView<'a> {
         Err(Error::NoSuchPlace { index: index as u32, segment: place.segment, t: place.t })
     }
 
-    /// The end of the last segment.
+    /// Returns the end of the last segment.
     pub(super) fn last_place(&self) -> Place {
         Place { segment: self.len() as u32 - 1, t: 1.0 }
     }
@@ -145,7 +145,7 @@ impl<'a> CurveView<'a> {
         outside.map_or(Ok(()), |point| Err(Error::CurveNotPlane { point: point as u32 }))
     }
 
-    /// The number of segments after which a closed curve repeats; infinite for an open one.
+    /// Returns the number of segments after which a closed curve repeats; infinite for an open one.
     pub(super) fn period(&self) -> f64 {
         if self.closed { self.len() as f64 } else { f64::INFINITY }
     }

@@ -12,7 +12,8 @@ pub(crate) fn is_point(controls: &[DVec3]) -> bool {
 /// The highest degree of a segment.
 pub const MAX_DEGREE: usize = bernstein::MAX_DEGREE;
 
-/// The point at parameter `t`, by de Casteljau's scheme, unrolled for the most common degrees.
+/// Returns the point at parameter `t`, by de Casteljau's scheme, unrolled for the most common
+/// degrees.
 #[inline]
 pub(crate) fn point(controls: &[DVec3], t: f64) -> DVec3 {
     let s = 1.0 - t;
@@ -28,14 +29,15 @@ pub(crate) fn point(controls: &[DVec3], t: f64) -> DVec3 {
 /// A bound of 2^64, the sum of all binomials of the highest degree.
 const MAX_BINOMIAL_SUM: f64 = (1u128 << 80) as f64;
 
-/// The sum of the Bernstein terms. Control points so large that a term overflows are scaled first.
+/// Returns the sum of the Bernstein terms. Control points so large that a term overflows are scaled
+/// first.
 fn horner(controls: &[DVec3], t: f64) -> DVec3 {
     let point = scaled_sum(controls, t, 1.0);
     if point.is_finite() { point } else { scaled_sum(controls, t, 1.0 / MAX_BINOMIAL_SUM) * MAX_BINOMIAL_SUM }
 }
 
-/// The sum of the terms times `unit`. A Horner-like scheme starts at the nearer end, so that powers
-/// do not underflow before the binomials scale them.
+/// Returns the sum of the terms times `unit` by a Horner-like scheme. It starts at the nearer end,
+/// so that the ratio x of its powers is at most 1.
 fn scaled_sum(controls: &[DVec3], t: f64, unit: f64) -> DVec3 {
     let n = controls.len() - 1;
     let backwards = t > 0.5;
@@ -55,13 +57,13 @@ fn scaled_sum(controls: &[DVec3], t: f64, unit: f64) -> DVec3 {
     sum * scale
 }
 
-/// The vector from the first control point to the next distinct one.
+/// Returns the vector from the first control point to the next distinct one.
 pub(crate) fn first_leg(controls: &[DVec3]) -> DVec3 {
     let first = controls[0];
     controls.iter().find(|&&p| p != first).map_or(DVec3::ZERO, |&p| p - first)
 }
 
-/// The vector from the last distinct control point to the last one.
+/// Returns the vector from the last distinct control point to the last one.
 pub(crate) fn last_leg(controls: &[DVec3]) -> DVec3 {
     let last = controls[controls.len() - 1];
     controls.iter().rev().find(|&&p| p != last).map_or(DVec3::ZERO, |&p| last - p)
@@ -99,15 +101,15 @@ impl DistanceSlope {
         &self.coefficients[..self.len]
     }
 
-    /// The stationary points of the distance. An interval on which rounding hides the slope's sign
-    /// yields one root.
+    /// Returns the stationary points of the distance. An interval on which rounding hides the
+    /// slope's sign yields one root.
     pub(crate) fn roots(&self) -> Roots {
         roots(self.coefficients(), self.rounding_error)
     }
 
-    /// The interval around a root on which rounding hides the slope's sign, up to twice as long to
-    /// either side. Returns `None` for a root that is well defined. Near a singular point, where C'
-    /// is small too, the interval may be long and the minimum anywhere in it.
+    /// Returns the interval around a root on which rounding hides the slope's sign, up to twice as
+    /// long to either side. Returns `None` for a root that is well defined. Near a singular point,
+    /// where C' is small too, the interval may be long and the minimum anywhere in it.
     pub(crate) fn flat_interval(&self, root: f64) -> Option<[f64; 2]> {
         let slope = |t: f64| value_and_slope(self.coefficients(), t);
         if slope(root).1.abs() * MAX_ROOT_ERROR > self.rounding_error {
@@ -136,10 +138,10 @@ pub(crate) struct SegmentBuffer {
 
 impl SegmentBuffer {
     pub(crate) fn new(controls: &[DVec3]) -> Self {
-        Self::mapped(controls, |p| p)
+        Self::from_mapped(controls, |p| p)
     }
 
-    pub(crate) fn mapped(controls: &[DVec3], map: impl Fn(DVec3) -> DVec3) -> Self {
+    pub(crate) fn from_mapped(controls: &[DVec3], map: impl Fn(DVec3) -> DVec3) -> Self {
         let mut buffer = SegmentBuffer { controls: [DVec3::ZERO; MAX_DEGREE + 1], len: controls.len() };
         buffer.controls.iter_mut().zip(controls).for_each(|(to, &p)| *to = map(p));
         buffer
@@ -164,7 +166,8 @@ impl SegmentBuffer {
         front
     }
 
-    /// The part between the parameters `from` < `to`. At 0 and 1 the end points keep their bits.
+    /// Returns the part between the parameters `from` < `to`. At 0 and 1 the end points keep their
+    /// bits.
     pub(crate) fn part(mut self, from: f64, to: f64) -> Self {
         let mut end = to;
         if from > 0.0 {
@@ -189,8 +192,8 @@ impl DerefMut for SegmentBuffer {
     }
 }
 
-/// The point at `t` and its derivatives with respect to the parameter, N values in all; 0 beyond
-/// the degree.
+/// Returns the point at `t` and its derivatives with respect to the parameter, N values in all; 0
+/// beyond the degree.
 pub(crate) fn jet<const N: usize>(controls: &[DVec3], t: f64) -> [DVec3; N] {
     let mut derived = SegmentBuffer::new(controls);
     [(); N].map(|()| {

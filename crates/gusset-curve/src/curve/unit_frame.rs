@@ -18,14 +18,14 @@ pub(crate) struct UnitFrame {
     fine: f64,
 }
 
-/// The power of 2 that scales `x` into 1/2 .. 1, or as close as a normal number can.
+/// Returns the power of 2 that scales `x` into 1/2 .. 1, or as close as a normal number can.
 pub(crate) fn power_to_one(x: f64) -> f64 {
     let (_, exponent) = libm::frexp(x);
     libm::ldexp(1.0, (-exponent).clamp(-1022, 1022))
 }
 
 impl UnitFrame {
-    /// The frame of the bounding box of some finite points.
+    /// Returns the frame of the bounding box of some finite points.
     pub(crate) fn from_points<'a>(points: impl IntoIterator<Item = &'a DVec3>) -> Self {
         let whole = Aabb::from_points(points);
         let Aabb { low, high } = if whole.low.is_finite() { whole } else { Aabb::from_points([DVec3::ZERO]) };
@@ -56,7 +56,7 @@ impl UnitFrame {
 
     /// Transforms the control points of a segment into the frame.
     pub(crate) fn segment(&self, controls: &[DVec3]) -> SegmentBuffer {
-        SegmentBuffer::mapped(controls, |p| self.point(p))
+        SegmentBuffer::from_mapped(controls, |p| self.point(p))
     }
 
     /// Transforms a point from the frame into the host's coordinates.

@@ -31,7 +31,7 @@ pub(super) struct Ring<'a> {
 }
 
 impl Ring<'_> {
-    /// The place at a fraction of the length after the anchor.
+    /// Returns the place at a fraction of the length after the anchor.
     pub(super) fn place(&self, part: f64) -> Result<Place> {
         let total = self.lengths.total();
         let by = (part - part.floor()) * total;
@@ -40,14 +40,15 @@ impl Ring<'_> {
         self.lengths.place(if at >= total { at - total } else { at })
     }
 
-    /// The arc length from the anchor to a place: at least 0, less than the total length.
+    /// Returns the arc length from the anchor to a place: at least 0, less than the total length.
     pub(super) fn length_to(&self, place: Place) -> Result<f64> {
         let by = self.lengths.length_to(place)? - self.anchor;
         let by = if self.backwards { -by } else { by };
         Ok(if by < 0.0 { by + self.lengths.total() } else { by })
     }
 
-    /// Points at equal fractions of the length, relative to their mean and scaled to size 1.
+    /// Returns points at equal fractions of the length, relative to their mean and scaled to size
+    /// 1.
     fn samples(&self) -> Result<Vec<DVec3>> {
         let at = |k: usize| self.lengths.curve().point(self.place(k as f64 / SAMPLES as f64)?);
         let mut points = alloc::try_collect((0..SAMPLES).map(at))?;
@@ -59,8 +60,8 @@ impl Ring<'_> {
     }
 }
 
-/// The index of the anchor among the points of a section: the point farthest from the mean. Ties go
-/// to the largest x, then y, then z.
+/// Returns the index of the anchor among the points of a section: the point farthest from the mean.
+/// Ties go to the largest x, then y, then z.
 pub(super) fn anchor(points: impl ExactSizeIterator<Item = DVec3> + Clone) -> usize {
     let count = points.len() as f64;
     let mean = points.clone().map(|p| p / count).sum::<DVec3>();
@@ -76,8 +77,8 @@ pub(super) fn anchor(points: impl ExactSizeIterator<Item = DVec3> + Clone) -> us
 /// Sections between two progress reports.
 const SECTIONS_PER_REPORT: usize = 1 << 8;
 
-/// The fraction of its length after its anchor at which each section starts. If `ring`, the first
-/// section follows the last. O(sections), with a comparison of 128 points with 128 for each.
+/// Returns the fraction of its length after its anchor at which each section starts. If `ring`, the
+/// first section follows the last. O(sections), with a comparison of 128 points with 128 for each.
 pub(super) fn start_fractions(sections: &[Ring<'_>], ring: bool, job: &Job<'_>) -> Result<Vec<f64>> {
     let samples = alloc::try_collect(sections.iter().map(Ring::samples))?;
     let mut starts = alloc::with_capacity(sections.len())?;
@@ -97,7 +98,7 @@ pub(super) fn start_fractions(sections: &[Ring<'_>], ring: bool, job: &Job<'_>) 
     Ok(starts)
 }
 
-/// The shift of a section against the previous one, as a fraction of its length.
+/// Returns the shift of a section against the previous one, as a fraction of its length.
 fn shift(before: &[DVec3], section: &[DVec3]) -> f64 {
     let n = SAMPLES;
     // Both sums of squares are constant, so the largest product has the smallest distance.
@@ -113,9 +114,9 @@ fn shift(before: &[DVec3], section: &[DVec3]) -> f64 {
     if shift > 0.5 { shift - 1.0 } else { shift }
 }
 
-/// The largest angle, in radians, by which a row of nodes around a body is rotated against the
-/// previous row. It is the angle of the rotation about the rows' common axis that best aligns them
-/// after both are centred.
+/// Returns the largest angle, in radians, by which a row of nodes around a body is rotated against
+/// the previous row. It is the angle of the rotation about the rows' common axis that best aligns
+/// them after both are centred.
 pub(super) fn twist(nodes: &[DVec3], columns: usize, ring: bool) -> f64 {
     let rows = nodes.len() / columns;
     let row = |k: usize| &nodes[(k % rows) * columns..(k % rows + 1) * columns];

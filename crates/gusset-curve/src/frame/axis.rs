@@ -64,9 +64,9 @@ pub(super) fn axis_frames(
     Ok(frames)
 }
 
-/// The unit tangent at point k, of the circle through the point and its neighbours. At an end it is
-/// the tangent of the circle through the last three points. `chords` are the directions and
-/// distances from point to point.
+/// Returns the unit tangent at point k, of the circle through the point and its neighbours. At an
+/// end it is the tangent of the circle through the last three points. `chords` are the directions
+/// and distances from point to point.
 fn tangent(chords: &[(DVec3, f64)], k: usize, ring: bool) -> Result<DVec3> {
     let count = chords.len();
     let middle = |[(arrives, before), (leaves, after)]: [(DVec3, f64); 2]| {

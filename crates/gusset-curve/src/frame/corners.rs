@@ -19,9 +19,10 @@ use std::f64::consts::PI;
 const MIN_TURN: f64 = 0.7;
 /// The smallest ratio of a corner's turn to the median turn.
 const MIN_CONTRAST: f64 = 3.0;
-/// The smallest ratio of a corner's turn to its neighbours' turns. Above SHARP only one neighbour
-/// counts, because two edges of a deck may be adjacent points.
+/// The smallest ratio of a corner's turn to its neighbours' turns.
 const MIN_LEAD: f64 = 2.0;
+/// From this turn on only the smaller of the neighbours' turns counts, because two edges of a deck
+/// may be adjacent points.
 const MIN_SHARP_TURN: f64 = 1.2;
 /// A section with more corners than this is jagged and shares none of them.
 const MAX_SHARED: usize = 128;
@@ -59,20 +60,20 @@ pub(super) fn corners(sections: &Outlines<'_>, rows: usize, options: &FrameOptio
     Ok(all)
 }
 
-/// The corners among the points of a row of nodes, by an angle.
+/// Returns the corners among the points of a row of nodes, by an angle.
 pub(super) fn sharp_nodes(row: &[DVec3], closed: bool, options: &Options) -> Result<Vec<u32>> {
     let turns = turns(row.iter().copied(), closed, options.repeat_tolerance)?;
     if options.corner_angle < PI { find_corners(&turns, closed, options.corner_angle) } else { Ok(Vec::new()) }
 }
 
-/// The points that turn by more than an angle. If the angle is pi, the points whose turn stands
-/// out.
+/// Returns the points that turn by more than an angle. If the angle is pi, the points whose turn
+/// stands out.
 fn find_corners(turns: &[(u32, f64)], closed: bool, angle: f64) -> Result<Vec<u32>> {
     let found = if angle < PI { sharper(turns, angle)? } else { outstanding(turns, closed)? };
     alloc::collect(found.into_iter().map(|at| turns[at].0))
 }
 
-/// The index and turn of each inner point, in radians. Points within `tolerance` times the
+/// Returns the index and turn of each inner point, in radians. Points within `tolerance` times the
 /// section's size of the previous point are skipped.
 fn turns(points: impl Iterator<Item = DVec3> + Clone, closed: bool, tolerance: f64) -> Result<Vec<(u32, f64)>> {
     let near = tolerance * Aabb::from_points(points.clone()).diagonal();
@@ -123,7 +124,7 @@ fn outstanding(turns: &[(u32, f64)], closed: bool) -> Result<Vec<usize>> {
     }))
 }
 
-/// The constraints of the sections, with their corners added.
+/// Returns the constraints of the sections, with their corners added.
 pub(super) fn add_corner_constraints(sections: &Outlines<'_>, corners: &[Vec<u32>]) -> Result<Vec<Constraint>> {
     let mut all = alloc::copied(sections.constraints)?;
     for (k, own) in corners.iter().enumerate() {

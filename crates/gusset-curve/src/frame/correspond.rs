@@ -196,8 +196,8 @@ fn add_round(
     add_parts(&marks, &rings, curves, sections, columns, &span, found)
 }
 
-/// The closed sections, each oriented like the previous one instead of the first, because a body
-/// may be bent.
+/// Returns the closed sections, each oriented like the previous one instead of the first, because a
+/// body may be bent.
 fn rings<'a>(
     sections: &Outlines<'_>,
     curves: &'a Fit,
@@ -253,7 +253,7 @@ fn add_across(
     Ok(())
 }
 
-/// The corners that all sections share, at most `most`; see [`match_corners`].
+/// Returns the corners that all sections share, at most `most`; see [`match_corners`].
 fn shared_corners(sections: &Outlines<'_>, corners: &[Vec<u32>], most: usize, job: &Job<'_>) -> Result<Vec<Vec<u32>>> {
     let points = |k: usize| sections.span(k).map(|i| sections.points.get(i));
     let centre = |k: usize| points(k).map(|p| p / points(k).len() as f64).sum::<DVec3>();
@@ -263,7 +263,7 @@ fn shared_corners(sections: &Outlines<'_>, corners: &[Vec<u32>], most: usize, jo
     match_corners(corners, sections.closed, most, &at, job)
 }
 
-/// A unit of length in which the squares of corner distances are in range.
+/// Returns a unit of length in which the squares of corner distances are in range.
 fn unit_of(sections: &Outlines<'_>, corners: &[Vec<u32>], centres: &[DVec3]) -> Result<f64> {
     let of = |(k, own): (usize, &'_ Vec<u32>)| {
         let first = sections.span(k).start;
@@ -320,7 +320,7 @@ fn add_given(sections: &Outlines<'_>, corners: &[Vec<u32>], found: &mut SectionN
     Ok(())
 }
 
-/// The normal about which the polygon of a section turns, of length 1 or 0.
+/// Returns the normal about which the polygon of a section turns, of length 1 or 0.
 fn section_normal(sections: &Outlines<'_>, k: usize) -> DVec3 {
     let span = sections.span(k);
     let start = sections.points.get(span.start);

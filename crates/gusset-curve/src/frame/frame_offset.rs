@@ -101,7 +101,7 @@ pub fn node_distances(distances: &[f64], [rows, columns]: [usize; 2]) -> Result<
     Ok(move |k: usize| distances[k / share])
 }
 
-/// The area vector of a section. Seen against it, the section runs counter-clockwise.
+/// Returns the area vector of a section. Seen against it, the section runs counter-clockwise.
 fn area_vector(row: &[DVec3]) -> DVec3 {
     let turn = |pair: &[DVec3]| (pair[0] - row[0]).cross(pair[1] - row[0]);
     row.windows(2).map(turn).sum()

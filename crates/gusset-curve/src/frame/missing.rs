@@ -82,7 +82,7 @@ impl Rows {
         (!self.is_missing[place]).then(|| DVec3::from_array(self.nodes[place]))
     }
 
-    /// The parameters of the sections, and of the first one after the last of a ring.
+    /// Returns the parameters of the sections, and of the first one after the last of a ring.
     fn parameters(&self) -> Result<Vec<f64>> {
         let mut steps = alloc::filled(0.0, self.rows)?;
         for (row, step) in steps.iter_mut().enumerate() {
@@ -105,8 +105,8 @@ impl Rows {
         Ok(parameters)
     }
 
-    /// The parameters of sections `first` to `last`, counted modulo the sections in a ring. They
-    /// come from the nearest columns on either side that have all their nodes.
+    /// Returns the parameters of sections `first` to `last`, counted modulo the sections in a ring.
+    /// They come from the nearest columns on either side that have all their nodes.
     fn nearby_parameters(&self, column: usize, first: isize, last: isize) -> Result<Option<Vec<f64>>> {
         let count = (last - first + 1) as usize;
         let mut sum = alloc::filled(0.0, count)?;
@@ -170,8 +170,8 @@ impl Rows {
     }
 }
 
-/// The point at parameter x of the curve through the nodes before and after x and their outer
-/// neighbours. Either outer neighbour may be absent.
+/// Returns the point at parameter x of the curve through the nodes before and after x and their
+/// outer neighbours. Either outer neighbour may be absent.
 fn catmull_rom([(b, p), (c, q)]: [Known; 2], [first, last]: [Option<Known>; 2], x: f64) -> DVec3 {
     let between = |(a, p): Known, (b, q): Known| p.lerp(q, (x - a) / (b - a));
     let middle = between((b, p), (c, q));

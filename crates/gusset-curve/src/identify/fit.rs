@@ -27,7 +27,7 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// The number of outlines.
+    /// Returns the number of outlines.
     pub fn len(&self) -> usize {
         self.reports.len()
     }
@@ -37,7 +37,7 @@ impl Fit {
         self.reports.is_empty()
     }
 
-    /// The curve of outline `k`.
+    /// Returns the curve of outline `k`.
     ///
     /// # Panics
     /// If outline `k` does not exist.
@@ -46,7 +46,7 @@ impl Fit {
         CurveView::trusted(&self.points[from[0]..to[0]], &self.ends[from[1]..to[1]], self.closed && to[1] > from[1] + 1)
     }
 
-    /// The place of a point on its curve; points are counted over all outlines.
+    /// Returns the place of a point on its curve; points are counted over all outlines.
     ///
     /// # Panics
     /// If the point does not exist.
@@ -54,27 +54,27 @@ impl Fit {
         Place { segment: self.segments[point], t: self.parameters[point] }
     }
 
-    /// The segment on which each point lies, within its curve.
+    /// Returns the segment on which each point lies, within its curve.
     pub fn segments(&self) -> &[u32] {
         &self.segments
     }
 
-    /// The parameter of each point on its segment.
+    /// Returns the parameter of each point on its segment.
     pub fn parameters(&self) -> &[f64] {
         &self.parameters
     }
 
-    /// The outcome at each point.
+    /// Returns the outcome at each point.
     pub fn statuses(&self) -> &[PointStatus] {
         &self.statuses
     }
 
-    /// The report on each outline.
+    /// Returns the report on each outline.
     pub fn reports(&self) -> &[Report] {
         &self.reports
     }
 
-    /// The cycles of outline `k`, in order, subcurve by subcurve. The list is empty unless
+    /// Returns the cycles of outline `k`, in order, subcurve by subcurve. The list is empty unless
     /// [`Options::history`](super::Options) is set.
     ///
     /// # Panics
@@ -84,18 +84,18 @@ impl Fit {
         &self.cycles[from..self.cycle_ends[k]]
     }
 
-    /// The control points of all curves, one curve after another.
+    /// Returns the control points of all curves, one curve after another.
     pub fn points(&self) -> &[DVec3] {
         &self.points
     }
 
-    /// The ends of all curves, as indices from each curve's first control point.
+    /// Returns the ends of all curves, as indices from each curve's first control point.
     pub fn ends(&self) -> &[u32] {
         &self.ends
     }
 
-    /// The start of each curve's control points and ends in [`Fit::points`] and [`Fit::ends`], then
-    /// the total of both.
+    /// Returns the start of each curve's control points and ends in [`Fit::points`] and
+    /// [`Fit::ends`], then the total of both.
     pub fn starts(&self) -> &[[usize; 2]] {
         &self.starts
     }

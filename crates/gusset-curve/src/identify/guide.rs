@@ -15,7 +15,7 @@ use glam::DVec3;
 /// The sine of the largest angle by which an outline may leave its plane.
 const MAX_PLANE_SINE: f64 = 1e-9;
 
-/// The unit normal of the plane of a subcurve; `None` if the subcurve is not plane.
+/// Returns the unit normal of the plane of a subcurve; `None` if the subcurve is not plane.
 pub(super) fn plane_normal(sub: &Subcurve<'_>) -> Option<DVec3> {
     if sub.points.iter().all(|p| p.z == 0.0) {
         return Some(DVec3::Z);
@@ -42,8 +42,8 @@ pub(super) fn plane_normal(sub: &Subcurve<'_>) -> Option<DVec3> {
     sub.points.iter().all(|&p| normal.dot(p - origin).abs() <= MAX_PLANE_SINE * sub.size).then_some(normal)
 }
 
-/// The direction of the guide of a triangle in a plane, from the foot to the point. The corners `u`
-/// and `w` precede and follow the point.
+/// Returns the direction of the guide of a triangle in a plane, from the foot to the point. The
+/// corners `u` and `w` precede and follow the point.
 ///
 /// The bisector is also perpendicular to the difference of the legs' directions, which is more
 /// accurate if the triangle is flat.
@@ -71,7 +71,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn planes() {
+    fn plane_normals_are_found() {
         let options = Options::default();
         let normal = |points: &[DVec3]| {
             plane_normal(&Subcurve { points, closed: false, tangents: [None, None], size: 4.0, options: &options })
@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn guides_of_triangles() {
+    fn guides_follow_the_method() {
         let (u, w) = (DVec3::new(-3.0, -4.0, 0.0), DVec3::new(7.0, -4.0, 0.0));
         // The errata's triangle: the foot of the bisector of (0, 0), (3, 4), (10, 0) is at 3.83,
         // not at 6.20 as printed.

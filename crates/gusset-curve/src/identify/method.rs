@@ -58,7 +58,7 @@ pub struct Section {
 }
 
 impl Method {
-    /// The exponent of the chords; `None` for the normal.
+    /// Returns the exponent of the chords; `None` for the normal.
     pub(super) fn alpha(self) -> Option<f64> {
         match self {
             Method::Bisector => Some(0.5),
@@ -69,7 +69,7 @@ impl Method {
         }
     }
 
-    /// The parameter of P on the section from A to C.
+    /// Returns the parameter of P on the section from A to C.
     pub(super) fn parameter(self, a: DVec3, p: DVec3, c: DVec3) -> Result<f64, PointStatus> {
         let Some(alpha) = self.alpha() else {
             return normal_parameter(a, p, c);
@@ -79,7 +79,7 @@ impl Method {
         Ok(if before + after > 0.0 { before / (before + after) } else { 0.5 })
     }
 
-    /// The section from A through P to C.
+    /// Returns the section from A through P to C.
     ///
     /// # Errors
     /// [`PointStatus::NormalOutside`] and [`PointStatus::RightAngle`] for the normal;
@@ -100,7 +100,7 @@ pub(super) fn power(x: f64, alpha: f64) -> f64 {
     }
 }
 
-/// The section from A through P at parameter `t` to C.
+/// Returns the section from A through P at parameter `t` to C.
 #[inline]
 pub(super) fn section_at(a: DVec3, p: DVec3, c: DVec3, t: f64) -> Result<Section, PointStatus> {
     // Near the ends the control point overflows.
@@ -126,8 +126,8 @@ fn normal_parameter(a: DVec3, p: DVec3, c: DVec3) -> Result<f64, PointStatus> {
     }
 }
 
-/// The section from A, with the tangent `tau` there, through P to C: t = sqrt((tau x V) / (tau x
-/// W)) for V = P - A and W = C - A, and B = A + mu tau. Everything must lie in one plane.
+/// Returns the section from A, with the tangent `tau` there, through P to C: t = sqrt((tau x V) /
+/// (tau x W)) for V = P - A and W = C - A, and B = A + mu tau. Everything must lie in one plane.
 ///
 /// # Errors
 /// - [`PointStatus::TangentSeparates`]: the tangent runs between P and C.
@@ -161,7 +161,7 @@ pub fn section_by_start_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Res
     Ok(Section { control: a + tau * mu, t })
 }
 
-/// The section from A through P to C that arrives at C in the direction `tau`.
+/// Returns the section from A through P to C that arrives at C in the direction `tau`.
 ///
 /// # Errors
 /// The errors of [`section_by_start_tangent`], seen from C.
@@ -170,8 +170,8 @@ pub fn section_by_end_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Resul
     Ok(Section { t: 1.0 - mirrored.t, ..mirrored })
 }
 
-/// The section from A to C that passes P in the direction `tau`: with h(X) = tau x (X - P), t =
-/// sqrt|h(A)| / (sqrt|h(A)| + sqrt|h(C)|). Everything must lie in one plane.
+/// Returns the section from A to C that passes P in the direction `tau`: with h(X) = tau x (X - P),
+/// t = sqrt|h(A)| / (sqrt|h(A)| + sqrt|h(C)|). Everything must lie in one plane.
 ///
 /// # Errors
 /// - [`PointStatus::TangentSeparates`]: A and C are on different sides of the tangent, or on it.

@@ -178,13 +178,13 @@ impl Nodes {
         alloc::extend(&mut self.cuts, corners)
     }
 
-    /// A closed outline without a cut as one subcurve, and the results of its nodes.
+    /// Returns a closed outline without a cut as one subcurve, and the results of its nodes.
     pub(super) fn as_subcurve<'a>(&'a mut self, options: &'a Options) -> (Subcurve<'a>, &'a mut [PointResult]) {
         let size = self.placement.size;
         (Subcurve { points: &self.points, closed: true, tangents: [None, None], size, options }, &mut self.results)
     }
 
-    /// The subcurve from cut `k` to the next, and the results of its nodes.
+    /// Returns the subcurve from cut `k` to the next, and the results of its nodes.
     pub(super) fn subcurve_after_cut<'a>(
         &'a mut self,
         k: usize,
@@ -201,7 +201,7 @@ impl Nodes {
     }
 }
 
-/// A unit vector; `None` if the vector lacks a direction.
+/// Returns a unit vector; `None` if the vector lacks a direction.
 fn direction(tangent: DVec3) -> Option<DVec3> {
     let largest = tangent.abs().max_element();
     (largest > 0.0).then(|| (tangent * (1.0 / largest).min(f64::MAX)).normalize())
@@ -238,7 +238,7 @@ fn set_free_ends(sub: &mut Subcurve<'_>, results: &mut [PointResult]) {
     }
 }
 
-/// An axis in the direction of a leg, or of the chord if the leg is perpendicular.
+/// Returns an axis in the direction of a leg, or of the chord if the leg is perpendicular.
 fn axis_towards(axis: DVec3, leg: DVec3, chord: DVec3) -> DVec3 {
     let sense = if leg.dot(axis) == 0.0 { chord.dot(axis) } else { leg.dot(axis) };
     if sense < 0.0 { -axis } else { axis }

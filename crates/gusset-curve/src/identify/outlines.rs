@@ -24,7 +24,7 @@ impl<'a> Points<'a> {
         Ok(Points { elements: Strided::new(bytes, count, stride, 8 * dimension, "points")?, dimension })
     }
 
-    /// The number of bytes that `count` points span.
+    /// Returns the number of bytes that `count` points span.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] (the dimension), [`Error::TooLarge`], [`Error::StrideTooSmall`],
@@ -35,7 +35,7 @@ impl<'a> Points<'a> {
         Strided::span(count, stride, 8 * dimension, "points")
     }
 
-    /// The number of points.
+    /// Returns the number of points.
     pub fn len(&self) -> usize {
         self.elements.count()
     }
@@ -118,7 +118,7 @@ pub enum PointConstraint {
 }
 
 impl PointConstraint {
-    /// The direction in which the curve passes.
+    /// Returns the direction in which the curve passes.
     pub(super) fn tangent(self) -> Option<DVec3> {
         match self {
             PointConstraint::Corner => None,
@@ -153,7 +153,7 @@ impl Outlines<'_> {
         Ok(self.offsets.map_or(1, |offsets| offsets.len() - 1))
     }
 
-    /// The number of points of each outline, if it is the same for all.
+    /// Returns the number of points of each outline, if it is the same for all.
     pub(crate) fn columns(&self, rows: usize) -> Result<usize> {
         let columns = if rows == 0 { 0 } else { self.span(0).len() };
         match (0..rows).map(|k| (k, self.span(k).len())).find(|&(_, count)| count != columns) {
@@ -164,7 +164,7 @@ impl Outlines<'_> {
         }
     }
 
-    /// The points of outline `k`.
+    /// Returns the points of outline `k`.
     pub(crate) fn span(&self, k: usize) -> Range<usize> {
         match self.offsets {
             Some(offsets) => offsets[k] as usize..offsets[k + 1] as usize,

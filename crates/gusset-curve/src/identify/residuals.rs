@@ -51,7 +51,7 @@ pub(super) fn measure_curvatures(nodes: &mut Nodes, curve: &CurveBuilder, report
 /// The largest difference of curvatures that counts as none.
 const MAX_CURVATURE_GAP: f64 = 5e-7;
 
-/// The difference of the curvatures before and after joint k, the start of segment k. It is
+/// Returns the difference of the curvatures before and after joint k, the start of segment k. It is
 /// relative to the larger one, or to 1 / size. It is 0 at corners and at the ends of open curves.
 fn curvature_gap(curve: &CurveBuilder, closed: bool, size: f64, joint: usize) -> f64 {
     let corner = if joint == 0 { curve.len() } else { joint } as u32;
@@ -66,8 +66,8 @@ fn curvature_gap(curve: &CurveBuilder, closed: bool, size: f64, joint: usize) ->
     here.distance(there) / here.length().max(there.length()).max(1.0 / size)
 }
 
-/// The curvature at the start of a segment, as a vector perpendicular to its plane. For degree d
-/// and the first control points p, q, r it is (d - 1) / d (q - p) x (r - q) / |q - p|^3.
+/// Returns the curvature at the start of a segment, as a vector perpendicular to its plane. For
+/// degree d and the first control points p, q, r it is (d - 1) / d (q - p) x (r - q) / |q - p|^3.
 fn end_curvature(count: usize, [p, q, r]: [DVec3; 3]) -> DVec3 {
     let (leg, degree) = (q - p, (count - 1) as f64);
     let length = leg.length();

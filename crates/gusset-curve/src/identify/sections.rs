@@ -125,7 +125,7 @@ struct Finder<'a> {
 }
 
 impl Finder<'_> {
-    /// The section of point `i` of an outline with the constraints `own`.
+    /// Returns the section of point `i` of an outline with the constraints `own`.
     fn constrained_section(
         &self,
         outline: &Range<usize>,
@@ -194,8 +194,8 @@ impl Finder<'_> {
     }
 }
 
-/// A power of two that scales coordinates close to 1 if their squares could overflow or underflow;
-/// otherwise 1.
+/// Returns a power of two that scales coordinates close to 1 if their squares could overflow or
+/// underflow; otherwise 1.
 fn scale(outlines: &Outlines<'_>) -> Result<f64> {
     let mut largest = 0.0f64;
     for i in 0..outlines.points.len() {
@@ -209,14 +209,14 @@ fn scale(outlines: &Outlines<'_>) -> Result<f64> {
     Ok(1.0 / floor_to_power_of_two(largest))
 }
 
-/// The tangent required at a point.
+/// Returns the tangent required at a point.
 fn tangent(constraints: &[Constraint], point: usize) -> Option<DVec3> {
     let at = constraints.binary_search_by_key(&point, |constraint| constraint.point as usize).ok()?;
     constraints[at].kind.tangent()
 }
 
-/// The section through three points. Tangents at the first, the middle and the last point apply if
-/// possible, the middle one with priority.
+/// Returns the section through three points. Tangents at the first, the middle and the last point
+/// apply if possible, the middle one with priority.
 #[inline]
 fn section_or_fallback([a, p, c]: [DVec3; 3], tangents: [Option<DVec3>; 3], method: Method) -> (Section, PointStatus) {
     let wanted = match tangents {

@@ -61,7 +61,8 @@ impl Solution {
         self.previous.copy_from_slice(&self.controls[..n]);
     }
 
-    /// The control point of section `i`, and its first and last joint, relative to its point.
+    /// Returns the control point of section `i`, and its first and last joint, relative to its
+    /// point.
     #[inline(always)]
     pub(super) fn legs(&self, sub: &Subcurve<'_>, i: usize) -> [DVec3; 3] {
         let (previous, next) = (sub.previous(i), sub.next(i));

@@ -30,24 +30,24 @@ impl Subcurve<'_> {
         self.points.len()
     }
 
-    /// The point before `i`, cyclically.
+    /// Returns the point before `i`, cyclically.
     #[inline]
     pub(super) fn previous(&self, i: usize) -> usize {
         if i == 0 { self.len() - 1 } else { i - 1 }
     }
 
-    /// The point after `i`, cyclically.
+    /// Returns the point after `i`, cyclically.
     #[inline]
     pub(super) fn next(&self, i: usize) -> usize {
         if i + 1 == self.len() { 0 } else { i + 1 }
     }
 
-    /// The sections by the indices of their points: one for each point except the ends.
+    /// Returns the sections by the indices of their points: one for each point except the ends.
     pub(super) fn sections(&self) -> Range<usize> {
         if self.closed { 0..self.len() } else { 1..self.len() - 1 }
     }
 
-    /// The spans from each point to the next, by the indices of their first points.
+    /// Returns the spans from each point to the next, by the indices of their first points.
     pub(super) fn spans(&self) -> Range<usize> {
         if self.closed { 0..self.len() } else { 0..self.len() - 1 }
     }
@@ -57,14 +57,15 @@ impl Subcurve<'_> {
         [self.points[self.previous(i)], self.points[i], self.points[self.next(i)]]
     }
 
-    /// The range of parameters on sections: from `parameter_limit` to 1 minus it.
+    /// Returns the range of parameters on sections: from `parameter_limit` to 1 minus it.
     pub(super) fn parameter_range(&self) -> [f64; 2] {
         [self.options.parameter_limit, 1.0 - self.options.parameter_limit]
     }
 
-    /// The control points next to ends with a tangent. They lie on the tangent at a third of the
-    /// distance to the next point, as on a straight line of uniform speed. If the next point is the
-    /// other end, the fraction is a quarter if both ends have tangents, and half if only one has.
+    /// Returns the control points next to ends with a tangent. They lie on the tangent at a third
+    /// of the distance to the next point, as on a straight line of uniform speed. If the next point
+    /// is the other end, the fraction is a quarter if both ends have tangents, and half if only one
+    /// has.
     pub(super) fn end_controls(&self) -> [Option<DVec3>; 2] {
         let last = self.len() - 1;
         let fraction = match (last, self.tangents) {

@@ -34,9 +34,10 @@ pub struct Moments {
     pub second: [f64; 3],
 }
 
-/// The components of the control points relative to `start`, in the frame, and of the derivative.
+/// Returns the components of the control points relative to `start`, in the frame, and of the
+/// derivative.
 fn components(frame: &UnitFrame, start: DVec3, controls: &[DVec3]) -> [[[f64; MAX_DEGREE + 1]; 3]; 2] {
-    let r = SegmentBuffer::mapped(controls, |p| frame.point(p) - start);
+    let r = SegmentBuffer::from_mapped(controls, |p| frame.point(p) - start);
     let mut d = r;
     d.derive();
     [r, d].map(|points| {
@@ -49,8 +50,8 @@ fn components(frame: &UnitFrame, start: DVec3, controls: &[DVec3]) -> [[[f64; MA
 }
 
 impl CurveView<'_> {
-    /// The area vector: half the integral of r x dr. For a plane curve it is (0, 0, signed area).
-    /// In space, its component along a direction is the area of the projection along that
+    /// Returns the area vector: half the integral of r x dr. For a plane curve it is (0, 0, signed
+    /// area). In space, its component along a direction is the area of the projection along that
     /// direction. The chord from end to start closes an open curve. Exact up to rounding. O(sum of
     /// degree^2).
     ///
@@ -74,8 +75,8 @@ impl CurveView<'_> {
         Ok((doubled * 0.5).map(|x| frame.length_back(frame.length_back(x))))
     }
 
-    /// The area, centroid and second moments of the region that a plane curve encloses. Exact up to
-    /// rounding. O(sum of degree^2).
+    /// Returns the area, centroid and second moments of the region that a plane curve encloses.
+    /// Exact up to rounding. O(sum of degree^2).
     ///
     /// # Errors
     /// [`CurveNotPlane`](gusset_base::Error::CurveNotPlane),

@@ -22,10 +22,10 @@ pub struct Bounds {
 }
 
 impl CurveView<'_> {
-    /// The smallest axis-aligned box that contains the curve. Extrema lie at ends of segments and
-    /// at roots of the derivative. The result is as exact as the points of the curve, about 1e-15
-    /// of its size. O(points), plus O(degree^2) for segments whose control polygon leaves the box
-    /// of their ends.
+    /// Returns the smallest axis-aligned box that contains the curve. Extrema lie at ends of
+    /// segments and at roots of the derivative. The result is as exact as the points of the curve,
+    /// about 1e-15 of its size. O(points), plus O(degree^2) for segments whose control polygon
+    /// leaves the box of their ends.
     ///
     /// # Errors
     /// [`EmptyCurve`](gusset_base::Error::EmptyCurve) if the curve is not even a point,

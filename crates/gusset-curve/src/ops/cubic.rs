@@ -2,8 +2,8 @@
 
 use gusset_base::sort;
 
-/// The one to three real roots of a t^3 + b t^2 + c t + d, ascending. Returns `None` if a is too
-/// small relative to the other coefficients for the formula.
+/// Returns the one to three real roots of a t^3 + b t^2 + c t + d, ascending. Returns `None` if a
+/// is too small relative to the other coefficients for the formula.
 ///
 /// With t = x - b / (3 a), the equation is x^3 + 3 p x + 2 q = 0 with the discriminant q^2 + p^3.
 /// One real root follows from Cardano's formula, three from Viète's cosines. Two Newton steps then

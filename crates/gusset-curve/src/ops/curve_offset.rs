@@ -183,8 +183,8 @@ impl OffsetFit<'_> {
         self.offset.curve.push(&fitted.map(|p| self.frame.point_back(p))[1..=degree])
     }
 
-    /// The largest distance of the piece from the true offset. Each sample is compared with the
-    /// offset at the same parameter. It is also compared at the foot point, found by one Newton
+    /// Returns the largest distance of the piece from the true offset. Each sample is compared with
+    /// the offset at the same parameter. It is also compared at the foot point, found by one Newton
     /// step for (C - Q) . C' = 0, and the smaller distance counts.
     fn measure(&mut self, controls: &[DVec3], from: &OffsetPoint, to: &OffsetPoint, fitted: &[DVec3]) -> f64 {
         let mut max = 0.0f64;
@@ -223,21 +223,21 @@ impl OffsetFit<'_> {
     }
 }
 
-/// The control points of a straight segment except the first.
+/// Returns the control points of a straight segment except the first.
 fn straight(a: DVec3, b: DVec3, degree: usize, frame: &UnitFrame) -> [DVec3; 3] {
     [1, 2, 3]
         .map(|k| if k == degree { frame.point_back(b) } else { frame.point_back(a.lerp(b, k as f64 / degree as f64)) })
 }
 
-/// The cubic with the given ends and derivatives.
+/// Returns the cubic with the given ends and derivatives.
 fn cubic(from: &OffsetPoint, to: &OffsetPoint) -> [DVec3; 4] {
     let third = (to.t - from.t) / 3.0;
     [from.point, from.point + from.speed * third, to.point - to.speed * third, to.point]
 }
 
-/// The quadratic with the given ends and directions; its last control point is repeated. The inner
-/// control point is where the tangents cross, if that is ahead of the first end and behind the
-/// last. For a straight piece it is the middle.
+/// Returns the quadratic with the given ends and directions; its last control point is repeated.
+/// The inner control point is where the tangents cross, if that is ahead of the first end and
+/// behind the last. For a straight piece it is the middle.
 fn quadratic(from: &OffsetPoint, to: &OffsetPoint) -> Option<[DVec3; 4]> {
     let chord = to.point - from.point;
     let cross = |a: DVec3, b: DVec3| a.x * b.y - a.y * b.x;

@@ -107,7 +107,7 @@ impl CurveView<'_> {
                 reduced.curve.push(&controls[1..])?;
                 continue;
             }
-            let mut back = SegmentBuffer::mapped(&fitted, |p| frame.point_back(p));
+            let mut back = SegmentBuffer::from_mapped(&fitted, |p| frame.point_back(p));
             back[highest] = controls[controls.len() - 1];
             reduced.curve.push(&back[1..])?;
         }
@@ -135,8 +135,9 @@ impl Curve {
     }
 }
 
-/// The largest distance between the control points of two segments, after elevating the second to
-/// the first one's degree. By the convex hull property it bounds the distance at equal parameters.
+/// Returns the largest distance between the control points of two segments, after elevating the
+/// second to the first one's degree. By the convex hull property it bounds the distance at equal
+/// parameters.
 fn deviation(controls: &[DVec3], mut fitted: SegmentBuffer) -> f64 {
     fitted.elevate(controls.len() - 1);
     let distance = |(&p, &q): (&DVec3, &DVec3)| p.distance(q);
@@ -145,9 +146,10 @@ fn deviation(controls: &[DVec3], mut fitted: SegmentBuffer) -> f64 {
     controls.iter().zip(&*fitted).map(distance).fold(0.0, farther)
 }
 
-/// The segment of degree m with the ends of `controls` and the least integral of the squared
-/// distance. It solves the normal equations of the inner control points by Cholesky's method. Their
-/// coefficients are integrals of products of Bernstein polynomials of degrees m and n:
+/// Returns the segment of degree m with the ends of `controls` and the least integral of the
+/// squared distance. It solves the normal equations of the inner control points by Cholesky's
+/// method. Their coefficients are integrals of products of Bernstein polynomials of degrees m and
+/// n:
 ///
 /// the integral of b_i b_j = C(m, i) C(m, j) / C(m + n, i + j) / (m + n + 1).
 fn least_squares(controls: &[DVec3], m: usize) -> SegmentBuffer {

@@ -14,7 +14,7 @@ const PLACES_PER_REPORT: usize = 1 << 10;
 const STAGE: &str = "values at places";
 
 impl CurveView<'_> {
-    /// The point at a place. O(degree), like every place below.
+    /// Returns the point at a place. O(degree), like every place below.
     ///
     /// # Errors
     /// [`Error::NoSuchPlace`]: the segment does not exist, or t is outside 0 to 1.
@@ -23,7 +23,7 @@ impl CurveView<'_> {
         Ok(segment::point(self.segment(place.segment as usize), place.t))
     }
 
-    /// The points at many places.
+    /// Returns the points at many places.
     ///
     /// # Errors
     /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -31,7 +31,7 @@ impl CurveView<'_> {
         self.at_each(places, segment::point, job)
     }
 
-    /// The unit tangent at a place, or 0; see [`tangents_at`](Self::tangents_at).
+    /// Returns the unit tangent at a place, or 0; see [`tangents_at`](Self::tangents_at).
     ///
     /// # Errors
     /// [`Error::NoSuchPlace`].
@@ -40,8 +40,8 @@ impl CurveView<'_> {
         Ok(tangent(self.segment(place.segment as usize), place.t))
     }
 
-    /// The derivatives at many places with respect to the segment's parameter t. Each place gets
-    /// the point, the first derivative, and so on up to `order`, at most [`MAX_DEGREE`].
+    /// Returns the derivatives at many places with respect to the segment's parameter t. Each place
+    /// gets the point, the first derivative, and so on up to `order`, at most [`MAX_DEGREE`].
     /// Derivatives beyond the degree of a segment are 0. O(degree^2) a place.
     ///
     /// # Errors
@@ -62,8 +62,9 @@ impl CurveView<'_> {
         Ok(out)
     }
 
-    /// The unit tangents at many places, also where the first derivative is 0. At t = 1 it is the
-    /// direction of arrival, elsewhere the direction of departure. A segment without extent gets 0.
+    /// Returns the unit tangents at many places, also where the first derivative is 0. At t = 1 it
+    /// is the direction of arrival, elsewhere the direction of departure. A segment without extent
+    /// gets 0.
     ///
     /// # Errors
     /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -71,9 +72,10 @@ impl CurveView<'_> {
         self.at_each(places, tangent, job)
     }
 
-    /// The curvatures at many places, 1 over the radius. On a plane segment (z = 0) the curvature
-    /// is positive where the segment turns left, from x to y; in space it is never negative. It is
-    /// infinite where the first derivative is 0, except on a straight segment, where it is 0.
+    /// Returns the curvatures at many places, 1 over the radius. On a plane segment (z = 0) the
+    /// curvature is positive where the segment turns left, from x to y; in space it is never
+    /// negative. It is infinite where the first derivative is 0, except on a straight segment,
+    /// where it is 0.
     ///
     /// # Errors
     /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -90,7 +92,7 @@ impl CurveView<'_> {
     }
 }
 
-/// The first three derivatives at `t`, in the segment's own frame.
+/// Returns the first three derivatives at `t`, in the segment's own frame.
 fn derivatives(controls: &[DVec3], t: f64) -> (UnitFrame, [DVec3; 3]) {
     let frame = UnitFrame::from_points(controls);
     let mut derived = frame.segment(controls);
@@ -104,7 +106,7 @@ fn derivatives(controls: &[DVec3], t: f64) -> (UnitFrame, [DVec3; 3]) {
 /// In a curve of size 1 and degree n, a derivative below this times n counts as rounding.
 const MIN_DERIVATIVE: f64 = 1e-13;
 
-/// The unit tangent at `t`, or 0.
+/// Returns the unit tangent at `t`, or 0.
 pub(super) fn tangent(controls: &[DVec3], t: f64) -> DVec3 {
     let along = match t {
         0.0 => segment::first_leg(controls),

@@ -54,9 +54,9 @@ const SEGMENTS_PER_REPORT: usize = 1 << 12;
 const WIDTH: usize = 25;
 
 impl CurveView<'_> {
-    /// The data of an SVG path: `M`, then `L`, `Q` or `C` for each segment, and `Z` if the curve is
-    /// closed. Numbers read back as the same bits. The y axis points up here and down in SVG, so
-    /// the caller may have to flip it. A curve without points gives an empty text.
+    /// Returns the data of an SVG path: `M`, then `L`, `Q` or `C` for each segment, and `Z` if the
+    /// curve is closed. Numbers read back as the same bits. The y axis points up here and down in
+    /// SVG, so the caller may have to flip it. A curve without points gives an empty text.
     ///
     /// # Errors
     /// [`Error::CurveNotPlane`], [`Error::OptionOutOfRange`] (a degree above 3, which SVG lacks:
@@ -90,10 +90,10 @@ impl CurveView<'_> {
         Ok(text)
     }
 
-    /// The contour of a TrueType font. It has the control points of the quadratics as off-curve
-    /// points. A joint becomes an on-curve point unless it is the midpoint of its neighbours within
-    /// `tolerance` (at least 0, in the unit of the points) or within rounding. A composite curve of
-    /// n points with halved joints thus becomes n off-curve points.
+    /// Returns the contour of a TrueType font. It has the control points of the quadratics as
+    /// off-curve points. A joint becomes an on-curve point unless it is the midpoint of its
+    /// neighbours within `tolerance` (at least 0, in the unit of the points) or within rounding. A
+    /// composite curve of n points with halved joints thus becomes n off-curve points.
     ///
     /// # Errors
     /// [`Error::CurveNotPlane`], [`Error::CurveNotClosed`] (contours are closed),

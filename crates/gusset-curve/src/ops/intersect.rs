@@ -73,11 +73,11 @@ const PAIRS_PER_REPORT: usize = 4;
 const STAGE: &str = "intersections";
 
 impl CurveView<'_> {
-    /// The common points of two plane curves. Crossings are exact up to rounding, touches up to
-    /// about 1e-7 in the parameters. Curves touch if their distance is at most 1e-12 of the size of
-    /// both. Intersections that differ by less than 1e-6 in both parameters count as one. Common
-    /// parts are reported as overlaps. The work for each pair of segments whose boxes meet is
-    /// bounded; each intersection takes about O(log(1 / distance)) halvings.
+    /// Returns the common points of two plane curves. Crossings are exact up to rounding, touches
+    /// up to about 1e-7 in the parameters. Curves touch if their distance is at most 1e-12 of the
+    /// size of both. Intersections that differ by less than 1e-6 in both parameters count as one.
+    /// Common parts are reported as overlaps. The work for each pair of segments whose boxes meet
+    /// is bounded; each intersection takes about O(log(1 / distance)) halvings.
     ///
     /// # Errors
     /// [`CurveNotPlane`](gusset_base::Error::CurveNotPlane),
@@ -93,10 +93,10 @@ impl CurveView<'_> {
         Ok(all)
     }
 
-    /// The self-intersections of a plane curve: crossings, touches, parts that are traversed twice,
-    /// and loops within a segment. Joints of neighbouring segments, the closing point of a closed
-    /// curve, and cusps do not count. Loops shorter than 1e-5 of a segment's parameter range are
-    /// missed. Otherwise see [`intersections`](Self::intersections).
+    /// Returns the self-intersections of a plane curve: crossings, touches, parts that are
+    /// traversed twice, and loops within a segment. Joints of neighbouring segments, the closing
+    /// point of a closed curve, and cusps do not count. Loops shorter than 1e-5 of a segment's
+    /// parameter range are missed. Otherwise see [`intersections`](Self::intersections).
     ///
     /// # Errors
     /// The errors of [`intersections`](Self::intersections).
@@ -124,10 +124,10 @@ impl CurveView<'_> {
         Ok(all)
     }
 
-    /// The segments in a frame. Segments that may intersect themselves are halved until they
-    /// cannot, at most `depth` times. Segments that are points are skipped, because they coincide
-    /// with the ends of their neighbours. If all segments are points, the first is kept, unless
-    /// `depth` asks for self-intersections.
+    /// Returns the segments in a frame. Segments that may intersect themselves are halved until
+    /// they cannot, at most `depth` times. Segments that are points are skipped, because they
+    /// coincide with the ends of their neighbours. If all segments are points, the first is kept,
+    /// unless `depth` asks for self-intersections.
     fn pieces(&self, frame: &UnitFrame, depth: u32) -> Result<Vec<Piece>> {
         let mut pieces = alloc::with_capacity(self.len())?;
         for (k, controls) in self.segments().enumerate().filter(|(_, controls)| !segment::is_point(controls)) {

@@ -83,9 +83,10 @@ impl CurveView<'_> {
     }
 }
 
-/// The distance of a plane from the origin of a frame, along its normal. It is exact up to rounding
-/// even for a distant point: the terms of normal . (point - origin) may cancel by any number of
-/// digits, so they are summed without error (Dekker's products, Shewchuk's expansions, 1997).
+/// Returns the distance of a plane from the origin of a frame, along its normal. It is exact up to
+/// rounding even for a distant point: the terms of normal . (point - origin) may cancel by any
+/// number of digits, so they are summed without error (Dekker's products, Shewchuk's expansions,
+/// 1997).
 fn level(frame: &UnitFrame, point: DVec3, normal: DVec3) -> f64 {
     let normal = normal * power_to_one(normal.abs().max_element());
     let (mut sum, mut len) = ([0.0; 12], 0);

@@ -21,7 +21,7 @@ pub struct Lengths<'a> {
 }
 
 impl<'a> CurveView<'a> {
-    /// The arc length of the whole curve; see [`CurveView::lengths`].
+    /// Returns the arc length of the whole curve; see [`CurveView::lengths`].
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -49,17 +49,17 @@ impl<'a> CurveView<'a> {
 }
 
 impl<'a> Lengths<'a> {
-    /// The curve.
+    /// Returns the curve.
     pub(crate) fn curve(&self) -> &CurveView<'a> {
         &self.curve
     }
 
-    /// The arc length of the whole curve, in the unit of the points.
+    /// Returns the arc length of the whole curve, in the unit of the points.
     pub fn total(&self) -> f64 {
         self.frame.length_back(self.ends.last().copied().unwrap_or(0.0))
     }
 
-    /// The arc length from the start to a place.
+    /// Returns the arc length from the start to a place.
     ///
     /// # Errors
     /// [`Error::NoSuchPlace`].
@@ -73,8 +73,8 @@ impl<'a> Lengths<'a> {
         Ok(self.frame.length_back(self.length_before(k) + arc.length(0.0, place.t)))
     }
 
-    /// The place at an arc length from the start. Lengths below 0 and above the total are clamped.
-    /// O(log n), plus a few integrations above degree 2.
+    /// Returns the place at an arc length from the start. Lengths below 0 and above the total are
+    /// clamped. O(log n), plus a few integrations above degree 2.
     ///
     /// # Errors
     /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (NaN).
@@ -86,7 +86,7 @@ impl<'a> Lengths<'a> {
         Ok(self.place_at_frame_length(self.frame.length(length)))
     }
 
-    /// The place at the fraction k / n of the total length.
+    /// Returns the place at the fraction k / n of the total length.
     pub(super) fn place_of_part(&self, k: usize, n: usize) -> Place {
         let total = self.ends.last().copied().unwrap_or(0.0);
         self.place_at_frame_length(total * (k as f64 / n as f64))
@@ -108,7 +108,7 @@ impl<'a> Lengths<'a> {
         Place { segment, t }
     }
 
-    /// The arc length up to the start of segment `k`.
+    /// Returns the arc length up to the start of segment `k`.
     fn length_before(&self, k: usize) -> f64 {
         if k == 0 { 0.0 } else { self.ends[k - 1] }
     }
@@ -136,7 +136,7 @@ impl Arc {
         segment::point(&self.velocity, t).length()
     }
 
-    /// The length from parameter `a` to `b`.
+    /// Returns the length from parameter `a` to `b`.
     fn length(&self, a: f64, b: f64) -> f64 {
         match *self.velocity {
             [v] => v.length() * (b - a),
@@ -191,7 +191,7 @@ const GAUSS: [(f64, f64); 8] = [
     (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
 ];
 
-/// The integral of |u + w t| from `a` to `b`, in closed form.
+/// Returns the integral of |u + w t| from `a` to `b`, in closed form.
 ///
 /// With k = |w|, the component of the velocity along w is y = u . w / k + k t, and across w it is
 /// the constant g = |u x w| / k. The length is the integral of sqrt(y^2 + g^2) dy / k. The integral
@@ -216,9 +216,9 @@ fn quadratic(u: DVec3, w: DVec3, a: f64, b: f64) -> f64 {
     }
 }
 
-/// The integral of sqrt(y^2 + g^2) / k from y to y + step, both at least 0. With s = sqrt(y^2 +
-/// g^2), and s' at the other end y', it is half of y' s' - y s + g^2 ln((y' + s') / (y + s)). Here
-/// s' - s = step (y' + y) / (s' + s).
+/// Returns the integral of sqrt(y^2 + g^2) / k from y to y + step, both at least 0. With s =
+/// sqrt(y^2 + g^2), and s' at the other end y', it is half of y' s' - y s + g^2 ln((y' + s') / (y +
+/// s)). Here s' - s = step (y' + y) / (s' + s).
 fn branch(y: f64, step: f64, g: f64, k: f64) -> f64 {
     let far = y + step;
     let (s, t) = ((y * y + g * g).sqrt(), (far * far + g * g).sqrt());

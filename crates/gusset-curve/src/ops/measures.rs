@@ -51,8 +51,8 @@ pub struct Measures {
 }
 
 impl Measures {
-    /// The length of the area vector: the area of the largest shadow, never negative. 0 without an
-    /// area vector.
+    /// Returns the length of the area vector: the area of the largest shadow, never negative. 0
+    /// without an area vector.
     pub fn area(&self) -> f64 {
         self.area_vector.unwrap_or_default().length()
     }

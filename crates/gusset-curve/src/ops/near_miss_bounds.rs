@@ -43,8 +43,8 @@ pub(super) fn are_apart(a: &[DVec3], b: &[DVec3], within: f64) -> bool {
     axes.into_iter().any(|axis| axis != DVec3::ZERO && separates(axis, a, b, slack))
 }
 
-/// The number of minima of |A(s) - B(t)|^2 / 2 in a pair, 0 or 1, proven by bounds of its slopes
-/// and Hessian. Returns `None` if they prove neither.
+/// Returns the number of minima of |A(s) - B(t)|^2 / 2 in a pair, 0 or 1, proven by bounds of its
+/// slopes and Hessian. Returns `None` if they prove neither.
 pub(super) fn count_minima(p: &Part, q: &Part) -> Option<usize> {
     let [(here, r), (there, rr)] = [p, q].map(|part| derivative_range(part, 0));
     let [(a, ra), (b, rb)] = [p, q].map(|part| derivative_range(part, 1));

@@ -156,15 +156,16 @@ impl CurveView<'_> {
     }
 }
 
-/// The segments with extent; segments that are points coincide with the ends of their neighbours.
-/// If all segments are points, returns the first.
+/// Returns the segments with extent; segments that are points coincide with the ends of their
+/// neighbours. If all segments are points, returns the first.
 fn segments_with_extent(curve: &CurveView<'_>) -> Result<Vec<u32>> {
     let all = (0..curve.len() as u32).filter(|&k| !segment::is_point(curve.segment(k as usize)));
     let found = alloc::gather(all)?;
     if found.is_empty() { alloc::filled(0, 1) } else { Ok(found) }
 }
 
-/// The direction in which a curve continues beyond an end of segment k; `None` if it ends there.
+/// Returns the direction in which a curve continues beyond an end of segment k; `None` if it ends
+/// there.
 fn leg_beyond(curve: &CurveView<'_>, k: usize, at_end: bool) -> Option<DVec3> {
     let (count, last) = (curve.len(), if at_end { curve.len() - 1 } else { 0 });
     if k == last && !curve.is_closed() {
@@ -397,12 +398,12 @@ impl NearMissSearch<'_> {
     }
 }
 
-/// The smallest and the largest parameters of a pair of parts.
+/// Returns the smallest and the largest parameters of a pair of parts.
 fn corners([p, q]: &[Part; 2]) -> [DVec2; 2] {
     [DVec2::new(p.from, q.from), DVec2::new(p.to, q.to)]
 }
 
-/// The indices of two segments, as offsets of places that are numbers.
+/// Returns the indices of two segments, as offsets of places that are numbers.
 fn segment_offsets(numbers: [usize; 2]) -> DVec2 {
     DVec2::new(numbers[0] as f64, numbers[1] as f64)
 }

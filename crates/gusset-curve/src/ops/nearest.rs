@@ -105,7 +105,7 @@ fn answer_all<A: Send>(
     Ok(found)
 }
 
-/// The distance of two points; it overflows only if the distance itself does.
+/// Returns the distance of two points; it overflows only if the distance itself does.
 fn distance(p: DVec3, q: DVec3) -> f64 {
     let halved = p * 0.5 - q * 0.5;
     let largest = halved.abs().max_element();
@@ -150,7 +150,7 @@ impl<'a> CurveSearch<'a> {
         away / away.abs().max_element() * MAX_QUERY_DISTANCE
     }
 
-    /// The place nearest to a point of the frame.
+    /// Returns the place nearest to a point of the frame.
     fn place(&self, q: DVec3, job: &Job<'_>) -> Result<Place> {
         let local = CurveView::trusted(&self.points, self.curve.ends(), false);
         let mut best = (Place::START, local.segment(0)[0].distance_squared(q));
@@ -229,7 +229,7 @@ impl<'a> CurveSetSearch<'a> {
     }
 }
 
-/// The parameter of the nearest point of one segment, and its squared distance.
+/// Returns the parameter of the nearest point of one segment, and its squared distance.
 pub(super) fn nearest_on(controls: &[DVec3], q: DVec3) -> (f64, f64) {
     let mut best = Best { controls, q, t: 0.0, squared: controls[0].distance_squared(q) };
     best.offer(1.0);
@@ -323,7 +323,7 @@ impl Best<'_> {
     }
 }
 
-/// The minimum of a unimodal function between two ends.
+/// Returns the minimum of a unimodal function between two ends.
 fn golden_section([mut low, mut high]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
     const RATIO: f64 = 0.618_033_988_749_894_9;
     let (mut x, mut y) = (high - RATIO * (high - low), low + RATIO * (high - low));

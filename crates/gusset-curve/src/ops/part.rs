@@ -24,7 +24,7 @@ impl Part {
         0.5 * (self.from + self.to)
     }
 
-    /// The longest side of the bounding box of the control points.
+    /// Returns the longest side of the bounding box of the control points.
     pub(super) fn size(&self) -> f64 {
         Aabb::from_points(self.controls.iter()).size().max_element()
     }
@@ -51,7 +51,7 @@ pub(super) fn separates(axis: DVec3, a: &[DVec3], b: &[DVec3], slack: f64) -> bo
     x.0 - y.1 > slack || y.0 - x.1 > slack
 }
 
-/// The unit direction of the chord of a part; 0 if its ends coincide.
+/// Returns the unit direction of the chord of a part; 0 if its ends coincide.
 pub(super) fn chord(controls: &[DVec3]) -> DVec3 {
     (controls[controls.len() - 1] - controls[0]).normalize_or_zero()
 }

@@ -163,7 +163,7 @@ impl<'a> Walk<'a> {
     }
 }
 
-/// The distance of p from the chord from a to b.
+/// Returns the distance of p from the chord from a to b.
 fn off_chord(p: DVec3, a: DVec3, b: DVec3) -> f64 {
     let chord = b - a;
     let squared = chord.length_squared();

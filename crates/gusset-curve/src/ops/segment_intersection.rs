@@ -228,7 +228,7 @@ fn is_straight(part: &Part) -> bool {
     })
 }
 
-/// The non-zero legs of a control polygon.
+/// Returns the non-zero legs of a control polygon.
 fn legs(controls: &[DVec3]) -> impl Iterator<Item = DVec3> + Clone {
     controls.windows(2).map(|pair| pair[1] - pair[0]).filter(|&leg| leg != DVec3::ZERO)
 }
@@ -259,7 +259,7 @@ fn cross_z(u: DVec3, v: DVec3) -> f64 {
     u.x * v.y - u.y * v.x
 }
 
-/// The solution (s, t) of two linear equations, if it exists.
+/// Returns the solution (s, t) of two linear equations, if it exists.
 fn solve(rows: [[f64; 2]; 2], right: [f64; 2]) -> Option<[f64; 2]> {
     let [[a, b], [c, d]] = rows;
     let determinant = a * d - b * c;
@@ -267,8 +267,8 @@ fn solve(rows: [[f64; 2]; 2], right: [f64; 2]) -> Option<[f64; 2]> {
     x.iter().all(|x| x.is_finite()).then_some(x)
 }
 
-/// The crossing of two parts, by Newton's method for A(s) = B(t) from the middle. Returns `None` if
-/// it leads outside the parts.
+/// Returns the crossing of two parts, by Newton's method for A(s) = B(t) from the middle. Returns
+/// `None` if it leads outside the parts.
 fn newton(a: &[DVec3], b: &[DVec3], p: &Part, q: &Part) -> Option<[f64; 2]> {
     let (mut s, mut t) = (p.middle(), q.middle());
     for _ in 0..30 {
@@ -297,8 +297,8 @@ fn snap(t: f64) -> f64 {
     }
 }
 
-/// The place where two short parts touch. Applies Newton's method to A' x B' = 0 and (A - B) . A' =
-/// 0, or else alternates between nearest points of both.
+/// Returns the place where two short parts touch. Applies Newton's method to A' x B' = 0 and (A -
+/// B) . A' = 0, or else alternates between nearest points of both.
 fn touch(a: &[DVec3], b: &[DVec3], p: &Part, q: &Part) -> Option<[f64; 2]> {
     let start = [p.middle(), q.middle()];
     let reach = 8.0 * (p.to - p.from).max(q.to - q.from);

@@ -23,8 +23,8 @@ impl CurveView<'_> {
         Ok([self.forward_part(Place::START, at, &first)?, self.forward_part(at, self.last_place(), &second)?])
     }
 
-    /// The open part from one place to another. On a closed curve it may pass the start. From a
-    /// place to itself, it is the whole closed curve, or a single point of an open one.
+    /// Returns the open part from one place to another. On a closed curve it may pass the start.
+    /// From a place to itself, it is the whole closed curve, or a single point of an open one.
     ///
     /// # Errors
     /// [`Error::NoSuchPlace`], [`Error::OptionOutOfRange`] (an open curve, and `to` before `from`),
@@ -43,7 +43,7 @@ impl CurveView<'_> {
         Ok(curve)
     }
 
-    /// The part from one place to a later one.
+    /// Returns the part from one place to a later one.
     fn forward_part(&self, from: Place, to: Place, job: &Job<'_>) -> Result<Curve> {
         let mut curve: Option<Curve> = None;
         let count = (to.segment - from.segment) as usize + 1;

@@ -125,13 +125,13 @@ impl Tangents {
         &self.components[k][..self.count]
     }
 
-    /// The derivative at a parameter, and its derivative.
-    fn at(&self, t: f64) -> [DVec3; 2] {
+    /// Returns the derivative at a parameter, and its derivative.
+    fn derivatives_at(&self, t: f64) -> [DVec3; 2] {
         let [x, y, z] = [0, 1, 2].map(|k| value_and_slope(self.component(k), t));
         [DVec3::new(x.0, y.0, z.0), DVec3::new(x.1, y.1, z.1)]
     }
 
-    /// The roots of the equation, or of its square, which include all solutions.
+    /// Returns the roots of the equation, or of its square, which include all solutions.
     fn candidates(&self, sought: Sought) -> Roots {
         let [along, u, v] = [0, 1, 2].map(|k| self.component(k));
         match sought {
@@ -152,9 +152,9 @@ impl Tangents {
         }
     }
 
-    /// The solution near a candidate, if the tangent makes the angle there.
+    /// Returns the solution near a candidate, if the tangent makes the angle there.
     fn confirm(&self, sought: Sought, t: f64, angle: f64) -> Option<f64> {
-        let [tangent, _] = self.at(t);
+        let [tangent, _] = self.derivatives_at(t);
         if tangent.length() <= MIN_SPEED {
             return self.is_cusp_at(t, angle).then_some(t);
         }
@@ -168,7 +168,7 @@ impl Tangents {
             Sought::Other(cosine, _) => {
                 let mut at = t;
                 for _ in 0..MAX_STEPS {
-                    let [tangent, slope] = self.at(at);
+                    let [tangent, slope] = self.derivatives_at(at);
                     let length = tangent.length();
                     let off = tangent.x - cosine * length;
                     let rise = slope.x - cosine * tangent.dot(slope) / length;
@@ -179,7 +179,7 @@ impl Tangents {
                     at = next;
                 }
                 let off = |t: f64| {
-                    let [tangent, _] = self.at(t);
+                    let [tangent, _] = self.derivatives_at(t);
                     (tangent.x - cosine * tangent.length()).abs() / tangent.length()
                 };
                 let best = if off(at) < off(t) { at } else { t };
@@ -223,7 +223,7 @@ impl Tangents {
         let ends = turns.as_slice().iter().copied().filter(|_| sign.is_some()).chain([1.0]);
         let mut from = 0.0;
         for to in ends.filter(|&t| t > 0.0) {
-            let [tangent, _] = self.at(0.5 * (from + to));
+            let [tangent, _] = self.derivatives_at(0.5 * (from + to));
             let all_lie = match sought {
                 Sought::Parallel(_) => libm::hypot(tangent.y, tangent.z) <= MAX_PARALLEL_SINE * tangent.length(),
                 _ => true,

@@ -139,7 +139,7 @@ impl Net<'_> {
     }
 }
 
-/// The topology within a rectangle, without a check for crossed cells.
+/// Returns the topology within a rectangle, without a check for crossed cells.
 fn topology_part(topology: &Topology, rows: &Range<usize>, columns: &Range<usize>) -> Result<Topology> {
     let cut = |topology: &Topology, range: &Range<usize>| -> Result<Topology> {
         match range.len() == topology.shape().rows() {
@@ -155,12 +155,13 @@ fn topology_part(topology: &Topology, rows: &Range<usize>, columns: &Range<usize
 }
 
 impl Bridge {
-    /// The bridge without the adaptations of its nets, which become invalid once nodes move.
+    /// Returns the bridge without the adaptations of its nets, which become invalid once nodes
+    /// move.
     pub(crate) fn unadapted(&self) -> Bridge {
         Bridge { adaptations: [None, None], ..self.clone() }
     }
 
-    /// The bridge in a net whose rows (`Down`) or columns are reversed.
+    /// Returns the bridge in a net whose rows (`Down`) or columns are reversed.
     fn flipped(&self, axis: Direction, shape: Shape) -> Bridge {
         let count = axis.extent(shape).0 as u32;
         let bridge = self.unadapted();
@@ -171,8 +172,8 @@ impl Bridge {
         }
     }
 
-    /// The part of the bridge within a rectangle, if a cell of it is. Where the rectangle ends
-    /// among the inner rows, the last of them is the side.
+    /// Returns the part of the bridge within a rectangle, if a cell of it is. Where the rectangle
+    /// ends among the inner rows, the last of them is the side.
     pub(crate) fn clipped_to(&self, rows: &Range<usize>, columns: &Range<usize>) -> Option<Bridge> {
         let (across, along) = self.direction.ordered(rows, columns);
         let (start, end) = (along.start.max(self.start as usize), along.end.min(self.end as usize));

@@ -107,7 +107,7 @@ fn transpose<T: Real>(first: usize, columns: usize, from: &[T], stride: usize, t
     }
 }
 
-/// The three matrices of a new shape under one rearrangement, bit for bit.
+/// Returns the three matrices of a new shape under one rearrangement, bit for bit.
 pub(crate) fn rearrange(
     coordinates: &Coordinates<'_>,
     shape: Shape,

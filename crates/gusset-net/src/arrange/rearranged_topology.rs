@@ -10,9 +10,10 @@ use gusset_base::error::Result;
 use std::ops::Range;
 
 impl Topology {
-    /// The image under an exchange of rows and columns or a reversal of either, given the images of
-    /// sides, links and runs. The face orientation is reversed, as every such map reverses it.
-    fn mapped(
+    /// Returns the image under an exchange of rows and columns or a reversal of either, given the
+    /// images of sides, links and runs. The face orientation is reversed, as every such map
+    /// reverses it.
+    fn map_elements(
         &self,
         shape: Shape,
         sides: impl Fn(Sides) -> Sides,
@@ -35,10 +36,10 @@ impl Topology {
             let (i, j) = old.place(link / 2);
             2 * shape.node(j, i) + (1 - link % 2)
         };
-        self.mapped(shape, Sides::transposed, link, Run::transposed)
+        self.map_elements(shape, Sides::transposed, link, Run::transposed)
     }
 
-    /// The last row first.
+    /// Returns the last row first.
     pub(crate) fn flipped_rows(&self) -> Result<Self> {
         let shape = self.shape();
         let last = shape.rows() - 1;
@@ -52,7 +53,7 @@ impl Topology {
             }
         };
         let sides = |sides: Sides| Sides { pole_top: sides.pole_bottom, pole_bottom: sides.pole_top, ..sides };
-        self.mapped(shape, sides, link, |run| Run { row: last as u32 - run.row, row_step: -run.row_step, ..run })
+        self.map_elements(shape, sides, link, |run| Run { row: last as u32 - run.row, row_step: -run.row_step, ..run })
     }
 
     /// Applies a map of rows to the rows (`Down`) or, through the transposed topology, to the
@@ -72,7 +73,7 @@ impl Topology {
         alloc::try_collect(ranges.iter().zip(seams).map(|(rows, seams)| self.rows_part(rows.clone(), &seams)))
     }
 
-    /// The topology within a range of rows, given the seams within it.
+    /// Returns the topology within a range of rows, given the seams within it.
     pub(crate) fn rows_part(&self, rows: Range<usize>, seams: &[Seam]) -> Result<Self> {
         let (old, whole) = (self.shape(), rows.len() == self.shape().rows());
         let shape = Shape::new(rows.len(), old.columns())?;
@@ -106,7 +107,7 @@ impl Topology {
         Ok(Topology::assembled(shape, links, kept, self.is_reversed()))
     }
 
-    /// The seams within each range, in its own row numbers.
+    /// Returns the seams within each range, in its own row numbers.
     fn seams_cut(&self, ranges: &[Range<usize>]) -> Result<Vec<Vec<Seam>>> {
         let mut cut = alloc::filled(Vec::new(), ranges.len())?;
         for &seam in self.seams() {
@@ -124,7 +125,8 @@ impl Topology {
     }
 }
 
-/// The columns that a seam closes, if each of its pairs is the last and the first node of a column.
+/// Returns the columns that a seam closes, if each of its pairs is the last and the first node of a
+/// column.
 fn closed_columns(shape: Shape, seam: Seam) -> Option<impl Iterator<Item = i64>> {
     let Seam { a, b, count } = seam;
     let rows = [a.row.min(b.row), a.row.max(b.row)];
@@ -133,7 +135,8 @@ fn closed_columns(shape: Shape, seam: Seam) -> Option<impl Iterator<Item = i64>>
     (whole && same).then(|| (0..count).map(move |k| a.place(k).1))
 }
 
-/// The rows that a seam closes, if each of its pairs is the last and the first node of a row.
+/// Returns the rows that a seam closes, if each of its pairs is the last and the first node of a
+/// row.
 pub(crate) fn closed_rows(shape: Shape, seam: Seam) -> Option<impl Iterator<Item = usize>> {
     let transposed = Seam { a: seam.a.transposed(), b: seam.b.transposed(), ..seam };
     closed_columns(shape.transposed(), transposed).map(|rows| rows.map(|i| i as usize))

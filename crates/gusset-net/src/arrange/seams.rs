@@ -10,7 +10,7 @@ use gusset_base::error::Result;
 /// Row and column, or a step from one to the next.
 type Place = (i64, i64);
 
-/// The seam of `count` pairs from the first one on, in equal steps.
+/// Returns the seam of `count` pairs from the first one on, in equal steps.
 fn seam_from(first: [Place; 2], steps: [Place; 2], count: u32) -> Seam {
     let [a, b] = [0, 1].map(|k| Run {
         row: first[k].0 as u32,
@@ -84,7 +84,7 @@ pub(crate) fn merge_seams(seams: &[Seam]) -> Result<Vec<Seam>> {
     Ok(out)
 }
 
-/// The first unused seam with a given start.
+/// Returns the first unused seam with a given start.
 fn continuation(starts: &[(Start, usize)], used: &[bool], wanted: Start) -> Option<usize> {
     let from = starts.partition_point(|&(start, _)| start < wanted);
     let here = starts[from..].iter().take_while(|&&(start, _)| start == wanted);

@@ -36,12 +36,12 @@ pub struct Cuboid {
 }
 
 impl Cuboid {
-    /// A cube.
+    /// Returns a cube.
     pub fn cube(kind: BoxKind, cells: u32) -> Self {
         Cuboid { kind, cells: [cells; 3] }
     }
 
-    /// The size of the net.
+    /// Returns the size of the net.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] (no cells), [`Error::TooLarge`].
@@ -51,7 +51,7 @@ impl Cuboid {
         Shape::new(c + 1 + 2 * self.cap_rows(), 2 * (a + b) + 1)
     }
 
-    /// The number of rows beyond the lateral faces at each end.
+    /// Returns the number of rows beyond the lateral faces at each end.
     fn cap_rows(&self) -> usize {
         let [a, b, _] = self.cells.map(|n| n as usize);
         match self.kind {
@@ -61,7 +61,7 @@ impl Cuboid {
         }
     }
 
-    /// The gluing.
+    /// Returns the gluing.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] (no cells), [`Error::TooLarge`], [`Error::OutOfMemory`].
@@ -87,19 +87,19 @@ impl Cuboid {
         Topology::new(shape, Links::Matrix(matrix), seams)
     }
 
-    /// The number of rows between row i and the lateral faces.
+    /// Returns the number of rows between row i and the lateral faces.
     fn depth(&self, i: usize) -> usize {
         let (cap, c) = (self.cap_rows(), self.cells[2] as usize);
         cap.saturating_sub(i).max(i.saturating_sub(cap + c))
     }
 
-    /// The z of row i.
+    /// Returns the z of row i.
     fn level(&self, i: usize) -> u32 {
         i.saturating_sub(self.cap_rows()).min(self.cells[2] as usize) as u32
     }
 
-    /// The place of node (i, j), in cells from the corner of the box. Rows run from the bottom to
-    /// the top, and columns around the box, counter-clockwise seen from above.
+    /// Returns the place of node (i, j), in cells from the corner of the box. Rows run from the
+    /// bottom to the top, and columns around the box, counter-clockwise seen from above.
     pub fn place(&self, i: usize, j: usize) -> [u32; 3] {
         let [a, b, _] = self.cells;
         let (depth, column) = (self.depth(i) as u32, j as u32 % (2 * (a + b)));
@@ -118,7 +118,8 @@ impl Cuboid {
         [x, y, self.level(i)]
     }
 
-    /// The point of a column on the rim of a cap: along x, along y, back along x, back along y.
+    /// Returns the point of a column on the rim of a cap: along x, along y, back along x, back
+    /// along y.
     fn rim(&self, column: u32) -> [u32; 2] {
         let [a, b, _] = self.cells;
         match column {
@@ -129,9 +130,9 @@ impl Cuboid {
         }
     }
 
-    /// The four blocks of a cap in cross unwrapping. The first block is the cap itself, from its
-    /// rim at y = 0. The third, opposite, contracts to the rim at y = b. The two others contract to
-    /// the sides x = a and x = 0, following the end of the first block.
+    /// Returns the four blocks of a cap in cross unwrapping. The first block is the cap itself,
+    /// from its rim at y = 0. The third, opposite, contracts to the rim at y = b. The two others
+    /// contract to the sides x = a and x = 0, following the end of the first block.
     fn crosswise(&self, depth: u32, column: u32) -> [u32; 2] {
         let [a, b, _] = self.cells;
         let [x, y] = self.rim(column);

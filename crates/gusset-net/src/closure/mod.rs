@@ -12,8 +12,8 @@ use super::topology::{Links, Run, Seam};
 use super::{Shape, Sides, Topology};
 use gusset_base::error::{Error, Result};
 
-/// A Möbius strip: the last column is the reversed first column. Euler characteristic 0, one
-/// boundary loop.
+/// Returns a Möbius strip: the last column is the reversed first column. Euler characteristic 0,
+/// one boundary loop.
 ///
 /// # Errors
 /// [`Error::CrossingCell`] for nets that are too small, [`Error::OutOfMemory`].
@@ -21,8 +21,8 @@ pub fn moebius(shape: Shape) -> Result<Topology> {
     Topology::new(shape, Links::Sides(Sides::SHEET), &[reversed_column(shape)])
 }
 
-/// A Klein bottle: columns are closed, and the last column is the reversed first column. Euler
-/// characteristic 0, closed.
+/// Returns a Klein bottle: columns are closed, and the last column is the reversed first column.
+/// Euler characteristic 0, closed.
 ///
 /// # Errors
 /// [`Error::CrossingCell`] for nets that are too small, [`Error::OutOfMemory`].
@@ -31,7 +31,7 @@ pub fn klein(shape: Shape) -> Result<Topology> {
     Topology::new(shape, Links::Sides(sides), &[reversed_column(shape)])
 }
 
-/// A projective plane: opposite nodes of the rim are glued. Euler characteristic 1, closed.
+/// Returns a projective plane: opposite nodes of the rim are glued. Euler characteristic 1, closed.
 ///
 /// # Errors
 /// [`Error::CrossingCell`] for nets that are too small, [`Error::OutOfMemory`].
@@ -41,8 +41,8 @@ pub fn projective_plane(shape: Shape) -> Result<Topology> {
     Topology::new(shape, Links::Sides(Sides::SHEET), &[reversed_column(shape), rows])
 }
 
-/// A pillow: a flattened tube whose two rims are folded shut. It is a sphere with four vertices of
-/// valence 2, which [`Sides`] cannot describe.
+/// Returns a pillow: a flattened tube whose two rims are folded shut. It is a sphere with four
+/// vertices of valence 2, which [`Sides`] cannot describe.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for an even number of columns, because a row is folded at its first
@@ -55,7 +55,7 @@ pub fn pillow(shape: Shape) -> Result<Topology> {
     Topology::new(shape, Links::Sides(Sides::TUBE), &[folded(0), folded(h - 1)])
 }
 
-/// The seam that identifies the last column with the reversed first column.
+/// Returns the seam that identifies the last column with the reversed first column.
 fn reversed_column(shape: Shape) -> Seam {
     let (h, w) = (shape.rows() as u32, shape.columns() as u32);
     Seam { a: Run::along_column(0, w - 1, 1), b: Run::along_column(h - 1, 0, -1), count: h }

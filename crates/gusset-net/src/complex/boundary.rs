@@ -23,7 +23,7 @@ pub struct Boundary {
 }
 
 impl Boundary {
-    /// The number of chains.
+    /// Returns the number of chains.
     pub fn len(&self) -> usize {
         self.open.len()
     }
@@ -33,7 +33,7 @@ impl Boundary {
         self.open.is_empty()
     }
 
-    /// The vertices of chain k, each by its smallest node, with the faces on the left.
+    /// Returns the vertices of chain k, each by its smallest node, with the faces on the left.
     pub fn get(&self, k: usize) -> &[u32] {
         &self.nodes[self.offsets[k] as usize..self.offsets[k + 1] as usize]
     }
@@ -43,7 +43,7 @@ impl Boundary {
         &self.open
     }
 
-    /// The number of edges of chain k.
+    /// Returns the number of edges of chain k.
     pub fn edge_count(&self, k: usize) -> usize {
         self.get(k).len() - self.open[k] as usize
     }
@@ -53,7 +53,7 @@ impl Boundary {
         &self.offsets
     }
 
-    /// The vertices of all chains, one chain after the other.
+    /// Returns the vertices of all chains, one chain after the other.
     pub fn nodes(&self) -> &[u32] {
         &self.nodes
     }

@@ -8,7 +8,7 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::disjoint_sets::{DisjointSets, ParitySets};
 
-/// The number of connected components; 1 if all cells exist. O(nodes).
+/// Returns the number of connected components; 1 if all cells exist. O(nodes).
 pub(super) fn components(classes: &Classes, presence: &Presence) -> Result<u64> {
     if presence.is_all() {
         return Ok(1);

@@ -28,7 +28,7 @@ pub(super) fn edges(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()>
     Ok(())
 }
 
-/// The sides of an edge that belong to faces, given all of them in order.
+/// Returns the sides of an edge that belong to faces, given all of them in order.
 pub(super) fn faces(sides: &[Side]) -> &[Side] {
     &sides[..sides.partition_point(|side| side.sense != Sense::None)]
 }
@@ -63,7 +63,8 @@ struct VertexLink {
 }
 
 impl VertexLink {
-    /// The number of components of the link; the two ends of each open one are appended to `ends`.
+    /// Returns the number of components of the link; the two ends of each open one are appended to
+    /// `ends`.
     fn fans(&mut self, corners: &[Corner], ends: &mut Vec<FanEnds>) -> Result<usize> {
         self.points.clear();
         alloc::extend(&mut self.points, corners.iter().flat_map(|&[_, before, after]| [before, after]))?;

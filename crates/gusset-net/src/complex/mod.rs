@@ -27,7 +27,7 @@ use presence::Presence;
 use row_scan::RowScan;
 
 impl Complex {
-    /// The complex of all cells of a topology.
+    /// Returns the complex of all cells of a topology.
     ///
     /// # Errors
     /// [`Error::TooLarge`](gusset_base::Error::TooLarge) (more than 2^31 edges of one face),
@@ -37,7 +37,7 @@ impl Complex {
         Complex::new(topology, &Presence::ALL, job)
     }
 
-    /// The complex of the existing cells of a net; see [`Net`].
+    /// Returns the complex of the existing cells of a net; see [`Net`].
     ///
     /// # Errors
     /// [`Error::TooLarge`](gusset_base::Error::TooLarge) (more than 2^31 edges of one face),

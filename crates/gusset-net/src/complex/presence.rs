@@ -15,7 +15,7 @@ impl Presence {
     /// All cells.
     pub(super) const ALL: Presence = Presence { cells: None };
 
-    /// The existing cells of a net. O(nodes).
+    /// Returns the existing cells of a net. O(nodes).
     pub(super) fn from_net(net: &Net<'_>) -> Result<Self> {
         let shape = net.shape();
         let columns = shape.columns() - 1;

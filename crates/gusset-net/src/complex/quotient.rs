@@ -41,12 +41,12 @@ pub struct Complex {
 }
 
 impl Complex {
-    /// The number of faces, F.
+    /// Returns the number of faces, F.
     pub fn faces(&self) -> u64 {
         self.quads + self.triangles
     }
 
-    /// The Euler characteristic, V - E + F.
+    /// Returns the Euler characteristic, V - E + F.
     pub fn euler_characteristic(&self) -> i64 {
         self.vertices as i64 - self.edges as i64 + self.faces() as i64
     }
@@ -61,8 +61,8 @@ impl Complex {
         self.wires.is_empty() && self.branches.is_empty() && self.pinches.is_empty()
     }
 
-    /// The genus of a manifold, summed over its components: handles if it is orientable, otherwise
-    /// crosscaps. Returns `None` if it is not a manifold.
+    /// Returns the genus of a manifold, summed over its components: handles if it is orientable,
+    /// otherwise crosscaps. Returns `None` if it is not a manifold.
     pub fn genus(&self) -> Option<u64> {
         // chi = sum of (2 - 2 g - b), or of (2 - k - b), over the components.
         let excess = 2 * self.components as i64 - self.euler_characteristic() - self.boundary.len() as i64;

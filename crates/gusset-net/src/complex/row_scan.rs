@@ -196,7 +196,7 @@ impl<'a> RowScan<'a> {
         alloc::push(&mut self.sides, Side { edge: [from.min(to), from.max(to)], sense, cell })
     }
 
-    /// The number of nodes.
+    /// Returns the number of nodes.
     pub(super) fn node_count(&self) -> usize {
         self.marks.len()
     }

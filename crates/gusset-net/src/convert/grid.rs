@@ -24,11 +24,11 @@ pub struct GridNet {
     pub face_of_cell: Vec<u32>,
 }
 
-/// The net whose cells are the faces of a mesh. The faces are quads in rows and columns, which may
-/// be closed. At the first and the last row they may form fans of triangles around poles. `seed` is
-/// a face of the component; without it the mesh must be connected. Rows run along the first edge of
-/// the first quad, or around if only one direction is closed. O(H log d) for H half-edges and
-/// vertices of degree d.
+/// Returns the net whose cells are the faces of a mesh. The faces are quads in rows and columns,
+/// which may be closed. At the first and the last row they may form fans of triangles around poles.
+/// `seed` is a face of the component; without it the mesh must be connected. Rows run along the
+/// first edge of the first quad, or around if only one direction is closed. O(H log d) for H
+/// half-edges and vertices of degree d.
 ///
 /// # Errors
 /// [`Error::NoGrid`] with a face that violates the grid, [`Error::OutOfMemory`],
@@ -85,7 +85,7 @@ impl Walker<'_> {
         self.mesh.faces().range(face as usize).len()
     }
 
-    /// The half-edge `k` places further around the face.
+    /// Returns the half-edge `k` places further around the face.
     fn advance(&self, h: u32, k: usize) -> u32 {
         (0..k).fold(h, |h, _| self.mesh.faces().next(h))
     }
@@ -94,17 +94,17 @@ impl Walker<'_> {
         self.mesh.faces().corner(h)
     }
 
-    /// The third corner of a triangle.
+    /// Returns the third corner of a triangle.
     fn apex(&self, h: u32) -> u32 {
         self.start(self.advance(h, 2))
     }
 
-    /// The error at the face of a half-edge.
+    /// Returns the error at the face of a half-edge.
     fn no_grid(&self, h: u32) -> Error {
         Error::NoGrid { face: self.face(h) }
     }
 
-    /// The neighbour of the quad of `h`.
+    /// Returns the neighbour of the quad of `h`.
     fn neighbour(&self, h: u32, heading: Heading) -> Result<Neighbour> {
         let turns = heading as usize;
         let edge = self.advance(h, turns);
@@ -128,7 +128,8 @@ impl Walker<'_> {
         }
     }
 
-    /// The last cell of a walk and its neighbour, which is the first cell if the walk is closed.
+    /// Returns the last cell of a walk and its neighbour, which is the first cell if the walk is
+    /// closed.
     fn walk(&self, from: u32, heading: Heading) -> Result<(u32, Neighbour)> {
         let mut at = from;
         loop {
@@ -181,7 +182,7 @@ impl Grid {
         Ok(grid)
     }
 
-    /// The first cell of the first row of quads.
+    /// Returns the first cell of the first row of quads.
     fn head(walker: &Walker<'_>, seed: Option<u32>) -> Result<u32> {
         let face = seed.unwrap_or(0);
         let faces = walker.mesh.faces();
@@ -274,8 +275,8 @@ impl Grid {
         Ok(())
     }
 
-    /// The fan beyond the row that starts at `first`. Either every cell has a triangle, and all
-    /// have the same third corner, or none has one.
+    /// Returns the fan beyond the row that starts at `first`. Either every cell has a triangle, and
+    /// all have the same third corner, or none has one.
     fn pole(&self, walker: &Walker<'_>, first: usize, heading: Heading) -> Result<Option<Vec<u32>>> {
         if self.shift.is_some() {
             return Ok(None);
@@ -300,7 +301,7 @@ impl Grid {
         }
     }
 
-    /// The faces, cell by cell.
+    /// Returns the faces, cell by cell.
     fn faces(&self, walker: &Walker<'_>) -> impl Iterator<Item = u32> {
         let [top, bottom] = self.poles.each_ref().map(|pole| pole.as_deref().unwrap_or_default());
         top.iter().chain(&self.cells).chain(bottom).map(|&h| walker.face(h))
@@ -342,7 +343,7 @@ impl Grid {
         Ok(vertices)
     }
 
-    /// The gluing: nodes of the same vertex.
+    /// Returns the gluing: nodes of the same vertex.
     fn topology(&self, shape: Shape, vertices: &[u32], vertex_count: usize) -> Result<Topology> {
         let sides = Sides {
             rows_closed: self.rows_closed,
@@ -376,7 +377,7 @@ impl Grid {
             if *first == NONE {
                 *first = node;
             } else if sets.union(*first, node) {
-                let [a, b] = [*first, node].map(|node| shape.place(node)).map(|(i, j)| Run::at(i, j));
+                let [a, b] = [*first, node].map(|node| shape.place(node)).map(|(i, j)| Run::stationary(i, j));
                 alloc::push(&mut seams, Seam { a, b, count: 1 })?;
                 touches = true;
             }

@@ -24,9 +24,9 @@ pub struct Heights<'a, T> {
     pub no_data: Option<f64>,
 }
 
-/// The net of a height field, in its scalar type: x = origin + j spacing, y = origin + i spacing,
-/// z = origin + height. Missing heights become missing nodes. Faces are counter-clockwise seen from
-/// above, for either sign of the spacing. O(nodes).
+/// Returns the net of a height field, in its scalar type: x = origin + j spacing, y = origin + i
+/// spacing, z = origin + height. Missing heights become missing nodes. Faces are counter-clockwise
+/// seen from above, for either sign of the spacing. O(nodes).
 ///
 /// # Errors
 /// - [`Error::StrideTooSmall`], [`Error::ArrayTooShort`], [`Error::SizeOverflow`].
@@ -70,7 +70,7 @@ where
     Ok(Net::new(Coordinates::from(matrices), topology))
 }
 
-/// The height, or NaN if it is missing.
+/// Returns the height, or NaN if it is missing.
 fn height(value: f64, no_data: Option<f64>) -> f64 {
     if value.is_finite() && no_data != Some(value) { value } else { f64::NAN }
 }

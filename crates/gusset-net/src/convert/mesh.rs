@@ -100,7 +100,7 @@ pub struct Texture {
 }
 
 impl Texture {
-    /// The texture coordinates of faces given by nodes.
+    /// Returns the texture coordinates of faces given by nodes.
     fn new(shape: Shape, nodes: &[u32], job: &Job<'_>) -> Result<Self> {
         let mut number = alloc::collect_cancellable(repeat_n(NONE, shape.node_count()), &job.part(0.0, 0.2), NUMBERS)?;
         job.part(0.2, 0.4).ranges(NUMBERS, nodes.len(), |range| {
@@ -124,12 +124,11 @@ impl Texture {
 }
 
 impl Net<'_> {
-    /// The mesh of the net. It has the cells that exist. O(nodes).
+    /// Returns the mesh of the net. It has the cells that exist. O(nodes).
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a `max_edge_ratio` that is not above 0,
-    /// [`Error::TooLarge`] for more than 2^32 - 2 corners, [`Error::OutOfMemory`],
-    /// [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] for a `max_edge_ratio` that is not above 0, [`Error::TooLarge`]
+    /// for more than 2^32 - 2 corners, [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn to_mesh(&self, options: &MeshOptions, job: &Job<'_>) -> Result<NetMesh> {
         let corners = 4 * self.shape().cell_count() as u64 * if options.triangles.is_some() { 3 } else { 2 } / 2;
         Error::check_count("corners", corners, MAX_ELEMENTS)?;
@@ -208,7 +207,7 @@ impl VertexPlaces {
         Ok(VertexPlaces { finite, elsewhere })
     }
 
-    /// The node that gives the class its position.
+    /// Returns the node that gives the class its position.
     fn position_node(&self, class: u32) -> u32 {
         match self.elsewhere.binary_search_by_key(&class, |entry| entry[0]) {
             Ok(at) => self.elsewhere[at][1],
@@ -221,7 +220,7 @@ impl VertexPlaces {
     }
 }
 
-/// True for each node with finite coordinates.
+/// Returns true for each node with finite coordinates.
 fn finite<T: Real>(planes: &Planes<'_, T>, job: &Job<'_>) -> Result<Vec<bool>> {
     let (rows, columns) = (planes.shape().rows(), planes.shape().columns());
     let mut finite = alloc::filled(true, planes.shape().node_count())?;
@@ -376,8 +375,8 @@ impl<T: Real> FaceBuilder<'_, T> {
         Ok(())
     }
 
-    /// The edges without faces, as pairs of classes, each once, in order. O(e log e) for e edges,
-    /// and O(faces log e) if there are any.
+    /// Returns the edges without faces, as pairs of classes, each once, in order. O(e log e) for e
+    /// edges, and O(faces log e) if there are any.
     fn wires(&mut self, job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
         let mut edges = std::mem::take(&mut self.edges);
         edges.iter_mut().for_each(|edge| *edge = sorted_pair(*edge));
@@ -445,7 +444,7 @@ impl<T: Real> FaceBuilder<'_, T> {
     }
 }
 
-/// The positions of nodes, bit for bit.
+/// Returns the positions of nodes, bit for bit.
 fn positions<T: Real>(
     planes: &Planes<'_, T>,
     nodes: impl ExactSizeIterator<Item = u32>,

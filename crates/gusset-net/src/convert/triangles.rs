@@ -35,10 +35,10 @@ enum Label {
     Diagonal,
 }
 
-/// The net whose cells are pairs of triangles of a mesh. `face_of_cell` has the first triangle of
-/// each cell; at poles a cell is one triangle. All vertices keep their bits. Several pairings may
-/// form a grid, for example if all diagonals are parallel. Then the first triangle with a side
-/// decides: its first possible edge is the diagonal.
+/// Returns the net whose cells are pairs of triangles of a mesh. `face_of_cell` has the first
+/// triangle of each cell; at poles a cell is one triangle. All vertices keep their bits. Several
+/// pairings may form a grid, for example if all diagonals are parallel. Then the first triangle
+/// with a side decides: its first possible edge is the diagonal.
 ///
 /// # Errors
 /// [`Error::NoGrid`] with a triangle at the first contradiction, [`Error::OutOfMemory`],
@@ -106,8 +106,8 @@ impl Surface {
         [self.starts[h as usize], self.starts[next(h) as usize]]
     }
 
-    /// The smallest and the largest number of diagonals at a vertex that is not a pole. Returns
-    /// `None` if the vertex cannot belong to a grid.
+    /// Returns the smallest and the largest number of diagonals at a vertex that is not a pole.
+    /// Returns `None` if the vertex cannot belong to a grid.
     fn diagonals(&self, v: u32) -> Option<[u32; 2]> {
         match (self.on_border[v as usize], self.counts[v as usize]) {
             (_, 0) | (true, 1) => Some([0, 0]),
@@ -118,8 +118,8 @@ impl Surface {
         }
     }
 
-    /// The poles to try: the poles that the degrees show, otherwise none, and then the farthest
-    /// vertices.
+    /// Returns the poles to try: the poles that the degrees show, otherwise none, and then the
+    /// farthest vertices.
     fn poles(&self) -> Result<Vec<[u32; 2]>> {
         let vertices = 0..self.counts.len() as u32;
         let mut odd = vertices.clone().filter(|&v| self.diagonals(v).is_none());
@@ -159,7 +159,7 @@ impl Surface {
         Ok(found)
     }
 
-    /// The vertex farthest from some others by edges, the first of several.
+    /// Returns the vertex farthest from some others by edges, the first of several.
     fn farthest(&self, from: impl Iterator<Item = u32>) -> Result<u32> {
         let mut steps = alloc::filled(NONE, self.counts.len())?;
         let mut list = alloc::gather(from)?;
@@ -182,7 +182,7 @@ impl Surface {
         Ok(last)
     }
 
-    /// The grid with these poles. Tries each diagonal of the first unlabelled triangle.
+    /// Returns the grid with these poles. Tries each diagonal of the first unlabelled triangle.
     fn attempt(&self, mesh: &MeshView<'_>, poles: [u32; 2], job: &Job<'_>) -> Result<GridNet> {
         let mut labels = Labels::new(self, poles)?;
         labels.propagate(job)?;
@@ -204,7 +204,7 @@ impl Surface {
     }
 }
 
-/// The next half-edge of a triangle.
+/// Returns the next half-edge of a triangle.
 fn next(h: u32) -> u32 {
     if h % 3 == 2 { h - 2 } else { h + 1 }
 }
@@ -340,8 +340,8 @@ impl<'a> Labels<'a> {
         edges.iter().try_for_each(|&h| if self.of[h as usize] == Label::Unknown { self.set(h, label) } else { Ok(()) })
     }
 
-    /// The next undecided face from `from` on, cyclically: one with a side and without a diagonal,
-    /// or else one without any label.
+    /// Returns the next undecided face from `from` on, cyclically: one with a side and without a
+    /// diagonal, or else one without any label.
     fn next_open(&self, from: u32) -> Option<u32> {
         let count = self.of.len() as u32 / 3;
         let is = |face: u32, label| (3 * face..3 * face + 3).any(|h| self.of[h as usize] == label);
@@ -370,7 +370,7 @@ impl<'a> Labels<'a> {
         Ok(())
     }
 
-    /// The net of the faces without diagonals.
+    /// Returns the net of the faces without diagonals.
     fn net(&self, mesh: &MeshView<'_>, job: &Job<'_>) -> Result<GridNet> {
         let surface = self.surface;
         let (mut offsets, mut corners, mut triangles) = (alloc::filled(0u32, 1)?, Vec::new(), Vec::new());

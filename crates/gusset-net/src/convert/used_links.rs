@@ -18,7 +18,7 @@ pub(super) struct UsedLinks {
 }
 
 impl UsedLinks {
-    /// The edges of the links. O(nodes).
+    /// Returns the edges of the links. O(nodes).
     pub(super) fn new(shape: Shape, classes: &[u32], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut is_glued = alloc::filled(false, classes.len())?;
         job.part(0.0, 0.3).ranges(stage, classes.len(), |range| {

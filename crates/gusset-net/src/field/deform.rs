@@ -45,7 +45,7 @@ fn apply<T: Real>(planes: &mut Planes<'_, T>, steps: &[Step<'_>], threads: usize
     }
     chunks::for_each_chunk_mut(planes, threads, CHUNK, |_, rows| {
         let mut scratch = [[0.0; CHUNK]; 3];
-        let moved = mapped(steps, &rows, &mut scratch);
+        let moved = map_nodes(steps, &rows, &mut scratch);
         for (row, moved) in rows.into_iter().zip(moved) {
             row.iter_mut().zip(moved).for_each(|(to, &mut from)| *to = T::from_f64(from));
         }
@@ -57,7 +57,7 @@ fn apply<T: Real>(planes: &mut Planes<'_, T>, steps: &[Step<'_>], threads: usize
 /// finite.
 fn check<T: Real>(steps: &[Step<'_>], first: usize, rows: &[&mut [T]; 3]) -> Result<()> {
     let mut scratch = [[0.0; CHUNK]; 3];
-    let [x, y, z] = mapped(steps, rows, &mut scratch);
+    let [x, y, z] = map_nodes(steps, rows, &mut scratch);
     let undefined = (0..x.len()).find(|&k| {
         let is_finite = rows.iter().all(|row| row[k].into().is_finite());
         // Compares the stored value, because a finite double may overflow the net's type.
@@ -66,8 +66,8 @@ fn check<T: Real>(steps: &[Step<'_>], first: usize, rows: &[&mut [T]; 3]) -> Res
     undefined.map_or(Ok(()), |k| Err(Error::FieldUndefined { node: (first + k) as u32 }))
 }
 
-/// The nodes of a chunk, in double precision, after all fields.
-fn mapped<'a, T: Real>(steps: &[Step<'_>], rows: &[&mut [T]; 3], scratch: &'a mut [[f64; CHUNK]; 3]) -> Points<'a> {
+/// Returns the nodes of a chunk, in double precision, after all fields.
+fn map_nodes<'a, T: Real>(steps: &[Step<'_>], rows: &[&mut [T]; 3], scratch: &'a mut [[f64; CHUNK]; 3]) -> Points<'a> {
     let count = rows[0].len();
     let [x, y, z] = scratch;
     let [x, y, z] = [&mut x[..count], &mut y[..count], &mut z[..count]];

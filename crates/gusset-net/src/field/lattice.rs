@@ -24,9 +24,9 @@ impl Lattice {
     /// are slow and hardly follow individual points.
     pub const MAX_POINTS: usize = 32;
 
-    /// A box from `low` to `high` with `counts` control points along x, y and z, 2 to 32 each.
-    /// `offsets`: the displacement of each control point from the uniform grid; x runs first, then
-    /// y, then z.
+    /// Returns a box from `low` to `high` with `counts` control points along x, y and z, 2 to 32
+    /// each. `offsets`: the displacement of each control point from the uniform grid; x runs first,
+    /// then y, then z.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`], [`Error::ArrayTooShort`], [`Error::OutOfMemory`].
@@ -47,7 +47,7 @@ impl Lattice {
         Ok(Lattice { low, size, counts, offsets: alloc::copied(offsets)? })
     }
 
-    /// The tensor product of Bernstein polynomials at a place of the unit box.
+    /// Returns the tensor product of Bernstein polynomials at a place of the unit box.
     fn offset(&self, place: [f64; 3]) -> DVec3 {
         let weights = [0, 1, 2].map(|axis| bernstein(self.counts[axis], place[axis]));
         let [rows, columns] = [self.counts[1], self.counts[0]];
@@ -64,7 +64,7 @@ impl Lattice {
     }
 }
 
-/// The Bernstein polynomials of degree `count - 1` at t, by de Casteljau's triangle.
+/// Returns the Bernstein polynomials of degree `count - 1` at t, by de Casteljau's triangle.
 fn bernstein(count: usize, t: f64) -> [f64; MAX_POINTS] {
     let mut weights = [0.0; MAX_POINTS];
     weights[0] = 1.0;

@@ -66,7 +66,7 @@ impl<F: Fn([f64; 3]) -> [f64; 3]> Kernel for EachPoint<'_, F> {
     }
 }
 
-/// A separate function, because only arguments are known not to alias.
+/// This is a separate function, because only arguments are known not to alias.
 #[inline(always)]
 fn apply_to(x: &mut [f64], y: &mut [f64], z: &mut [f64], map: impl Fn([f64; 3]) -> [f64; 3]) {
     for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
@@ -74,7 +74,7 @@ fn apply_to(x: &mut [f64], y: &mut [f64], z: &mut [f64], map: impl Fn([f64; 3]) 
     }
 }
 
-/// The point at parameter `strength` on the line from a point to its image.
+/// Returns the point at parameter `strength` on the line from a point to its image.
 pub(super) fn along_line(strength: f64, map: impl Fn([f64; 3]) -> [f64; 3]) -> impl Fn([f64; 3]) -> [f64; 3] {
     move |from| {
         let to = map(from);

@@ -8,8 +8,9 @@ use super::map::{Field, Points, check_finite, each_point, each_point_simd};
 use crate::transform::Axis;
 use gusset_base::error::{Error, Result};
 
-/// A rotation about an axis by an angle that grows along the axis: `rate` radians for each unit,
-/// right-handed, starting at the coordinate `origin`. At strength t, the angle is t times as large.
+/// Returns a rotation about an axis by an angle that grows along the axis: `rate` radians for each
+/// unit, right-handed, starting at the coordinate `origin`. At strength t, the angle is t times as
+/// large.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] if a number is not finite; likewise for all functions below.
@@ -24,9 +25,9 @@ pub fn twist(axis: Axis, rate: f64, origin: f64) -> Result<impl Field> {
     })
 }
 
-/// A scaling across an axis that changes along the axis: distances from the axis grow by `rate`
-/// times themselves for each unit, starting at the coordinate `origin`. At strength t, the rate is
-/// t times as large.
+/// Returns a scaling across an axis that changes along the axis: distances from the axis grow by
+/// `rate` times themselves for each unit, starting at the coordinate `origin`. At strength t, the
+/// rate is t times as large.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`].
@@ -65,8 +66,8 @@ pub fn bend(axis: Axis, curvature: f64, from: f64, to: f64) -> Result<impl Field
     })
 }
 
-/// A displacement along one axis in proportion to the coordinate on another: the coordinate `along`
-/// grows by `rate` times the coordinate `by`. At strength t, the rate is t times as large.
+/// Returns a displacement along one axis in proportion to the coordinate on another: the coordinate
+/// `along` grows by `rate` times the coordinate `by`. At strength t, the rate is t times as large.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`], also if both axes are equal.

@@ -38,7 +38,7 @@ impl<'a> Timed<'a> {
         Ok(Timed { keys, easing })
     }
 
-    /// The strength at a time. At a key's own time it is exactly the key's. O(log keys).
+    /// Returns the strength at a time. At a key's own time it is exactly the key's. O(log keys).
     pub fn strength(&self, time: f64) -> f64 {
         let after = self.keys.partition_point(|key| key[0] <= time);
         let before = self.keys[after.max(1) - 1];

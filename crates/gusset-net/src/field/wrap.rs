@@ -12,8 +12,8 @@ use glam::DVec3;
 use gusset_base::error::{Error, Result};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// The central projection onto a sphere. At strength t, points move by t along the line to their
-/// image. Undefined at the centre.
+/// Returns the central projection onto a sphere. At strength t, points move by t along the line to
+/// their image. Undefined at the centre.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] if a number is not finite, or the radius is not above 0; likewise
@@ -168,7 +168,7 @@ fn roll_about(strength: f64, radius: f64, [along, out]: [f64; 2]) -> [f64; 2] {
     [along, out + strength * radius]
 }
 
-/// The progress of the first and the second of two stages at a strength.
+/// Returns the progress of the first and the second of two stages at a strength.
 fn stages(strength: f64) -> [f64; 2] {
     [(2.0 * strength).min(1.0), (2.0 * strength - 1.0).max(0.0)]
 }

@@ -1,8 +1,8 @@
 //! Adapting a net before it is joined: flipping, replicating and rotating in this order, and
 //! undoing these steps.
 //!
-//! Invariant: [`restored`] inverts [`adapted`] bit for bit. Unless the gluing was edited since, the
-//! topology is the recorded one. O(nodes).
+//! Invariant: [`restore_net`] inverts [`adapt_net`] bit for bit. Unless the gluing was edited
+//! since, the topology is the recorded one. O(nodes).
 
 use super::JoinOptions;
 use crate::arrange::{closed_rows, map_seam, merge_seams};
@@ -21,7 +21,7 @@ pub(super) type AdaptedNet = (Net<'static>, Arc<Adaptation>);
 /// Adapts a net for joining. Returns an adapted copy, or `None` if the net fits unchanged.
 /// `flipped` means that its face orientation is opposite to the others'. `along` is the number of
 /// nodes on the side.
-pub(super) fn adapted(
+pub(super) fn adapt_net(
     net: &Net<'_>,
     flipped: bool,
     along: usize,
@@ -48,7 +48,7 @@ pub(super) fn adapted(
         made = made.reformatted(rows, columns, replications.into(), &job.share(1, 3))?;
     }
     if twist > 0 {
-        made = rotated(&made, direction, twist, &job.share(2, 3))?;
+        made = rotate_net(&made, direction, twist, &job.share(2, 3))?;
     }
     let bridges = alloc::collect(net.bridges().iter().cloned())?;
     let (joined, topology) = (made.shape(), net.topology().clone());
@@ -58,7 +58,7 @@ pub(super) fn adapted(
 
 /// Undoes the adaptation of a net, if it still has the size that it was joined with. An unedited
 /// topology becomes the recorded one; an edited one is mapped back.
-pub(super) fn restored(
+pub(super) fn restore_net(
     net: Net<'static>,
     adaptation: Option<&Adaptation>,
     direction: Direction,
@@ -73,7 +73,7 @@ pub(super) fn restored(
     let mut net = net;
     if adaptation.twist > 0 {
         let around = axis.extent(net.shape()).0 as u32 - 1;
-        net = rotated(&net, direction, around - adaptation.twist % around, &job.share(0, 3))?;
+        net = rotate_net(&net, direction, around - adaptation.twist % around, &job.share(0, 3))?;
     }
     net = net.without_lines(axis, &adaptation.copies, &job.share(1, 3))?;
     if adaptation.flipped {
@@ -93,7 +93,7 @@ pub(super) fn restored(
 }
 
 impl Adaptation {
-    /// The topology that the net was joined with.
+    /// Returns the topology that the net was joined with.
     fn adapted_topology(&self, direction: Direction) -> Result<Topology> {
         self.topology.map_lines(direction.transposed(), |topology| {
             let flipped = if self.flipped { topology.flipped_rows()? } else { topology.clone() };
@@ -105,8 +105,8 @@ impl Adaptation {
     }
 }
 
-/// The net rotated by `twist` places along its closed side.
-fn rotated(net: &Net<'_>, direction: Direction, twist: u32, job: &Job<'_>) -> Result<Net<'static>> {
+/// Returns the net rotated by `twist` places along its closed side.
+fn rotate_net(net: &Net<'_>, direction: Direction, twist: u32, job: &Job<'_>) -> Result<Net<'static>> {
     let (axis, shape) = (direction.transposed(), net.shape());
     let (count, along) = axis.extent(shape);
     let place = twist as usize % (count - 1);
@@ -141,7 +141,7 @@ fn check_closed<T: Real>(planes: &Planes<'_, T>, axis: Direction) -> Result<()> 
     Ok(())
 }
 
-/// The topology of a net with closed columns whose row `by` becomes the first.
+/// Returns the topology of a net with closed columns whose row `by` becomes the first.
 fn rotate_rows(topology: &Topology, by: usize) -> Result<Topology> {
     let shape = topology.shape();
     let around = shape.rows() - 1;

@@ -27,7 +27,7 @@ pub struct JoinOptions {
 }
 
 impl JoinOptions {
-    /// The defaults: sizes equalised evenly, the bridge kept.
+    /// Returns the defaults: sizes equalised evenly, the bridge kept.
     pub fn new(direction: Direction) -> Self {
         JoinOptions {
             direction,

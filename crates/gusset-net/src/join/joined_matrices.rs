@@ -8,8 +8,8 @@ use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use std::ops::Range;
 
-/// The matrices of all nets side by side, bit for bit, with `inner` rows or columns of zeros
-/// between.
+/// Returns the matrices of all nets side by side, bit for bit, with `inner` rows or columns of
+/// zeros between.
 pub(super) fn join(
     nets: &[&Net<'_>],
     (direction, inner): (Direction, u32),
@@ -57,8 +57,8 @@ fn side_by_side<T: Real>(
     }
 }
 
-/// The start of each net in a direction, if `inner` rows or columns follow each; one entry more
-/// than there are nets.
+/// Returns the start of each net in a direction, if `inner` rows or columns follow each; one entry
+/// more than there are nets.
 pub(crate) fn starts(
     shapes: impl ExactSizeIterator<Item = Shape>,
     direction: Direction,

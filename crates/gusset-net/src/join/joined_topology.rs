@@ -10,8 +10,8 @@ use gusset_base::error::Result;
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// The gluings of all nets, and of `inner` rows or columns between them. Nets are glued to each
-/// other only if `weld` is set.
+/// Returns the gluings of all nets, and of `inner` rows or columns between them. Nets are glued to
+/// each other only if `weld` is set.
 pub(super) fn join(nets: &[&Net<'_>], direction: Direction, weld: bool, inner: u32) -> Result<Topology> {
     let topologies = alloc::try_collect(nets.iter().map(|net| match direction {
         Direction::Down => Ok(Cow::Borrowed(net.topology())),
@@ -111,7 +111,7 @@ fn add_closing_seams(topology: &Topology, first: usize, seams: &mut Vec<Seam>) -
     }
 }
 
-/// The topology with the links across a bridge contracted, or free.
+/// Returns the topology with the links across a bridge contracted, or free.
 pub(super) fn welded(topology: &Topology, bridge: &Bridge, weld: bool) -> Result<Topology> {
     let shape = topology.shape();
     let mut matrix: Matrix = topology.matrix()?;
@@ -124,7 +124,7 @@ pub(super) fn welded(topology: &Topology, bridge: &Bridge, weld: bool) -> Result
     Ok(topology)
 }
 
-/// The form of the bridge between two nets.
+/// Returns the form of the bridge between two nets.
 pub(super) fn bridge_kind(a: &Topology, b: &Topology, direction: Direction) -> BridgeKind {
     let last = direction.extent(a.shape()).0 - 1;
     match [SideKind::new(a, direction, last), SideKind::new(b, direction, 0)] {

@@ -24,7 +24,7 @@ pub use join_options::JoinOptions;
 pub(crate) use joined_matrices::starts;
 
 use super::{Bridge, BridgeMode, Direction, Net, Shape};
-use adapt::{AdaptedNet, adapted};
+use adapt::{AdaptedNet, adapt_net};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
@@ -86,7 +86,7 @@ pub(crate) fn join_mirrored(
         }
         let flip = (net.topology().is_reversed() != mirrored) != reversed;
         let twist = if k == 0 { 0 } else { options.twist };
-        copies.push(adapted(net, flip, along, twist, options, &part)?);
+        copies.push(adapt_net(net, flip, along, twist, options, &part)?);
     }
     let fitted = nets.iter().zip(&copies).map(|(&net, copy)| copy.as_ref().map_or(net, |(copy, _)| copy));
     let nets: Vec<&Net<'_>> = alloc::collect(fitted)?;
@@ -103,7 +103,7 @@ pub(crate) fn join_mirrored(
     Ok(net)
 }
 
-/// The shape of nets joined along sides of `along` nodes.
+/// Returns the shape of nets joined along sides of `along` nodes.
 fn joined_shape(nets: &[&Net<'_>], options: &JoinOptions, along: usize) -> Result<Shape> {
     let inner = (options.rows as usize).saturating_mul(nets.len() - 1);
     let across = nets.iter().map(|net| options.direction.extent(net.shape()).0).fold(inner, usize::saturating_add);
@@ -207,7 +207,7 @@ impl Net<'_> {
 }
 
 impl Bridge {
-    /// The link across it at place `k` of the side.
+    /// Returns the link across it at place `k` of the side.
     fn link(&self, shape: Shape, k: usize) -> u32 {
         self.direction.link_across(shape, self.at as usize - 1, k)
     }

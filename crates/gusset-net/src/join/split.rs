@@ -3,7 +3,7 @@
 //! Invariant: unless the joined net was edited, each part equals the original net bit for bit in
 //! coordinates, links, seams and bridges. O(nodes).
 
-use super::adapt::restored;
+use super::adapt::restore_net;
 use crate::arrange::Rearrangement;
 use crate::{Bridge, BridgeMode, Direction, Net, Topology};
 use gusset_base::alloc;
@@ -28,8 +28,8 @@ impl Net<'_> {
         let parts = cut(self, bridge.direction, &[index], &job.part(0.0, 0.5))?;
         let [first, second] = <[_; 2]>::try_from(parts).map_err(|_| no_such)?;
         let [a, b] = bridge.adaptations.each_ref().map(Option::as_deref);
-        let first = restored(first, a, bridge.direction, &job.part(0.5, 0.75))?;
-        Ok([first, restored(second, b, bridge.direction, &job.part(0.75, 1.0))?])
+        let first = restore_net(first, a, bridge.direction, &job.part(0.5, 0.75))?;
+        Ok([first, restore_net(second, b, bridge.direction, &job.part(0.75, 1.0))?])
     }
 
     /// Splits the net at all of the last bridges of a direction that run from side to side: the
@@ -54,14 +54,14 @@ impl Net<'_> {
                 0 => indices.first().and_then(|&index| self.bridges()[index].adaptations[0].as_deref()),
                 _ => self.bridges()[indices[k - 1]].adaptations[1].as_deref(),
             };
-            nets.push(restored(part, adaptation, direction, &job.share(k, count))?);
+            nets.push(restore_net(part, adaptation, direction, &job.share(k, count))?);
         }
         Ok(nets)
     }
 }
 
-/// The nets before, between and after bridges, which are removed with their inner rows. `removed`
-/// is in order.
+/// Returns the nets before, between and after bridges, which are removed with their inner rows.
+/// `removed` is in order.
 fn cut(net: &Net<'_>, direction: Direction, removed: &[usize], job: &Job<'_>) -> Result<Vec<Net<'static>>> {
     let count = direction.extent(net.shape()).0;
     let cuts = removed.iter().map(|&index| &net.bridges()[index]);
@@ -75,7 +75,7 @@ fn cut(net: &Net<'_>, direction: Direction, removed: &[usize], job: &Job<'_>) ->
         }
     };
     let welded = removed.iter().any(|&index| net.bridges()[index].mode == BridgeMode::Weld);
-    let crossed = crossed(net.topology(), direction, &ranges)?;
+    let crossed = find_crossed_ranges(net.topology(), direction, &ranges)?;
     let bridges = bridges_cut(net, direction, &ranges, removed)?;
     let mut parts = alloc::with_capacity(ranges.len())?;
     for (k, ((range, topology), bridges)) in ranges.iter().zip(topologies).zip(bridges).enumerate() {
@@ -94,7 +94,7 @@ fn cut(net: &Net<'_>, direction: Direction, removed: &[usize], job: &Job<'_>) ->
 }
 
 /// For each range, whether a seam glues nodes of it to others.
-fn crossed(topology: &Topology, direction: Direction, ranges: &[Range<usize>]) -> Result<Vec<bool>> {
+fn find_crossed_ranges(topology: &Topology, direction: Direction, ranges: &[Range<usize>]) -> Result<Vec<bool>> {
     let mut crossed = alloc::filled(false, ranges.len())?;
     for seam in topology.seams() {
         let range = |(i, j): (i64, i64)| {
@@ -111,7 +111,7 @@ fn crossed(topology: &Topology, direction: Direction, ranges: &[Range<usize>]) -
     Ok(crossed)
 }
 
-/// Each range's bridges, in order.
+/// Returns each range's bridges, in order.
 fn bridges_cut(
     net: &Net<'_>,
     direction: Direction,

@@ -58,9 +58,9 @@ const MAX_DEPTH: u32 = 48;
 /// The relative rounding error of a patch's area.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// The area of the bilinear patches of all existing cells; cells with coincident corners are
-/// triangles or less. All sheets of a folded patch count. O(nodes), with constant extra memory and
-/// about ten times the work of [`measure`](super::measure).
+/// Returns the area of the bilinear patches of all existing cells; cells with coincident corners
+/// are triangles or less. All sheets of a folded patch count. O(nodes), with constant extra memory
+/// and about ten times the work of [`measure`](super::measure).
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
@@ -98,8 +98,8 @@ fn patch([a, b, c, d]: [DVec3; 4]) -> BilinearArea {
     BilinearArea { area: found.area * unit * unit, error: found.error * unit * unit }
 }
 
-/// The area of a patch, given its sides at the first corner, its twist, and the vector from the
-/// second to the third corner.
+/// Returns the area of a patch, given its sides at the first corner, its twist, and the vector from
+/// the second to the third corner.
 fn in_unit(p: DVec3, q: DVec3, e: DVec3, other: DVec3) -> BilinearArea {
     let (n0, n1, n2) = (p.cross(q), p.cross(e), e.cross(q));
     let middle = (p + other).cross(q - p).length() / 2.0;
@@ -121,14 +121,15 @@ fn in_unit(p: DVec3, q: DVec3, e: DVec3, other: DVec3) -> BilinearArea {
     BilinearArea { area, error: ROUNDING * area }
 }
 
-/// The integral of |N0 + u N1 + v N2| over the unit square by the tensor product of a rule.
+/// Returns the integral of |N0 + u N1 + v N2| over the unit square by the tensor product of a rule.
 #[inline(always)]
 fn tensor(rule: &[[f64; 2]], n0: DVec3, n1: DVec3, n2: DVec3) -> f64 {
     let row = |v: f64| rule.iter().map(|&[u, weight]| weight * (n0 + v * n2 + u * n1).length()).sum::<f64>();
     rule.iter().map(|&[v, weight]| weight * row(v)).sum()
 }
 
-/// The integral of |p + u q| over u from 0 to 1, the mean distance of a segment from the origin.
+/// Returns the integral of |p + u q| over u from 0 to 1, the mean distance of a segment from the
+/// origin.
 ///
 /// Let h be the distance of its line, and s the coordinate on the line from the foot of h. The
 /// integral is the difference of (s sqrt(h^2 + s^2) + h^2 asinh(s / h)) / 2 over |q|, unless that
@@ -146,8 +147,8 @@ fn mean_distance(p: DVec3, q: DVec3) -> f64 {
     (integral(s + length) - integral(s)) / length
 }
 
-/// The integral over an interval, by halving until halves and wholes agree within the tolerance
-/// twice in a row, because a single agreement may be chance.
+/// Returns the integral over an interval, by halving until halves and wholes agree within the
+/// tolerance twice in a row, because a single agreement may be chance.
 fn adaptive(f: &dyn Fn(f64) -> f64, [start, end]: [f64; 2], tolerance: f64) -> BilinearArea {
     let gauss =
         |from: f64, width: f64| width * GAUSS_7.iter().map(|&[v, weight]| weight * f(from + width * v)).sum::<f64>();

@@ -24,14 +24,15 @@ pub struct Moments {
     pub inertia: DMat3,
 }
 
-/// Points and weights of the three-point Gauss rule on the interval from 0 to 1, exact to degree 5.
+/// Returns points and weights of the three-point Gauss rule on the interval from 0 to 1, exact to
+/// degree 5.
 fn gauss() -> [(f64, f64); 3] {
     let off = (0.15f64).sqrt();
     [(0.5 - off, 5.0 / 18.0), (0.5, 8.0 / 18.0), (0.5 + off, 5.0 / 18.0)]
 }
 
-/// The moments of the body enclosed by the bilinear patches of the cells, exact up to rounding.
-/// They are undefined unless the net is closed. O(nodes), with constant extra memory.
+/// Returns the moments of the body enclosed by the bilinear patches of the cells, exact up to
+/// rounding. They are undefined unless the net is closed. O(nodes), with constant extra memory.
 ///
 /// # Errors
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled),
@@ -87,7 +88,7 @@ impl Integrals {
     }
 }
 
-/// The flux through a patch of fields whose divergences are the integrands.
+/// Returns the flux through a patch of fields whose divergences are the integrands.
 fn patch([a, b, c, d]: [DVec3; 4]) -> Integrals {
     let mut sums = Integrals::default();
     for (u, wu) in gauss() {

@@ -49,7 +49,7 @@ pub fn planarity(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Planari
     Ok(Planarity { cells, worst, mean, above })
 }
 
-/// The distance of the corners from their mean plane over the longer diagonal.
+/// Returns the distance of the corners from their mean plane over the longer diagonal.
 fn relative_distance([a, b, c, d]: [DVec3; 4]) -> f64 {
     let (p, q) = (c - a, d - b);
     // A unit in which products of any lengths stay in range.

@@ -59,8 +59,8 @@ pub fn measure(net: &Net<'_>, job: &Job<'_>) -> Result<Measures> {
     })
 }
 
-/// The first existing node. Volumes and moments are computed relative to it, because distant nets
-/// would lose digits.
+/// Returns the first existing node. Volumes and moments are computed relative to it, because
+/// distant nets would lose digits.
 pub(super) fn origin(net: &Net<'_>) -> DVec3 {
     let shape = net.shape();
     let nodes = (0..shape.rows()).flat_map(|i| (0..shape.columns()).map(move |j| (i, j)));
@@ -153,7 +153,7 @@ fn fill<T: Real>(above: [&[T]; 3], below: [&[T]; 3], origin: [f64; 3], cells: &m
     }
 }
 
-/// The bounding box of all existing nodes.
+/// Returns the bounding box of all existing nodes.
 ///
 /// # Errors
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled).

@@ -60,13 +60,13 @@ impl Constraints {
         Ok(Constraints { corners, numbers, cells, fixed: alloc::copied(&surface.fixed)? })
     }
 
-    /// The vertices of the cells.
+    /// Returns the vertices of the cells.
     pub(super) fn vertices(&self) -> impl Iterator<Item = usize> {
         (0..self.fixed.len()).filter(|&v| !self.cells.get(v).is_empty())
     }
 
-    /// The largest distance of the corners of a cell from its mean plane, and the index of the
-    /// cell.
+    /// Returns the largest distance of the corners of a cell from its mean plane, and the index of
+    /// the cell.
     pub(super) fn deviation(&self, positions: &[DVec3]) -> (f64, Option<u32>) {
         let mut worst = (0.0, self.numbers.first().copied());
         for (corners, &number) in self.corners.iter().zip(&self.numbers) {
@@ -103,8 +103,8 @@ impl Constraints {
         }))
     }
 
-    /// The sum of the squared constraints at other positions, each divided by the length of its
-    /// row.
+    /// Returns the sum of the squared constraints at other positions, each divided by the length of
+    /// its row.
     pub(super) fn squares(&self, rows: &[Row], positions: &[DVec3]) -> f64 {
         let square = |(corners, row): (&[u32; 4], &Row)| {
             let [a, b, c, d] = corners.map(|v| positions[v as usize]);
@@ -113,8 +113,8 @@ impl Constraints {
         self.corners.iter().zip(rows).map(square).sum()
     }
 
-    /// The displacements -J^T y from `base`, where y solves (J J^T + penalty) y = g + J (base -
-    /// positions).
+    /// Returns the displacements -J^T y from `base`, where y solves (J J^T + penalty) y = g + J
+    /// (base - positions).
     pub(super) fn step(
         &self,
         rows: &[Row],

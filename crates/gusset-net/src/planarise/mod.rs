@@ -117,7 +117,7 @@ pub fn planarise(net: &mut Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_
     Ok(report)
 }
 
-/// The tolerance relative to the diagonal of the bounding box, after checks of the options.
+/// Returns the tolerance relative to the diagonal of the bounding box, after checks of the options.
 fn tolerance(net: &Net<'_>, options: &PlanariseOptions<'_>) -> Result<f64> {
     Error::require(options.tolerance >= 0.0 && options.tolerance.is_finite(), "tolerance", options.tolerance)?;
     let (needed, given) = (net.shape().node_count() as u64, options.fixed.len() as u64);

@@ -60,7 +60,7 @@ impl Surface {
         Ok(surface)
     }
 
-    /// The positions of the vertices of a net of the same topology.
+    /// Returns the positions of the vertices of a net of the same topology.
     pub(crate) fn positions_of(&self, net: &Net<'_>, job: &Job<'_>) -> Result<Vec<DVec3>> {
         let count = net.shape().node_count();
         let mut positions = alloc::filled(DVec3::NAN, count)?;

@@ -53,8 +53,8 @@ impl<'a> Search<'a> {
         Ok(positions)
     }
 
-    /// The job of the next step. The number of steps is unknown, so each takes a share of the
-    /// remaining progress.
+    /// Returns the job of the next step. The number of steps is unknown, so each takes a share of
+    /// the remaining progress.
     fn next_job(&mut self) -> Job<'a> {
         let at = |k: u32| 1.0 - 0.9f64.powi(k as i32);
         self.done += 1;
@@ -140,7 +140,7 @@ impl<'a> Search<'a> {
         None
     }
 
-    /// The largest distance between corresponding vertices.
+    /// Returns the largest distance between corresponding vertices.
     fn largest(&self, a: &[DVec3], b: &[DVec3]) -> f64 {
         self.constraints.vertices().map(|v| a[v].distance(b[v])).fold(0.0, f64::max)
     }

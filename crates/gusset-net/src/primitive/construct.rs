@@ -12,21 +12,23 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_mesh::Scalar;
 
-/// The net of a shape with valid dimensions.
+/// Returns the net of a shape with valid dimensions.
 pub(super) fn net(primitive: &Primitive<'_>, shape: Shape, scalar: Scalar, job: &Job<'_>) -> Result<Net<'static>> {
     let (h, w) = (shape.rows(), shape.columns());
-    let turn = |profile: &[Point], section: &[Point]| swept(shape, profile, section, scalar, job);
+    let turn = |profile: &[Point], section: &[Point]| sweep(shape, profile, section, scalar, job);
     match *primitive {
         Primitive::Sphere { radius } => turn(&half_circle(radius, h)?, &unit_circle(w)?),
         Primitive::Torus { radius, minor_radius } => turn(&circle(radius, minor_radius, h)?, &unit_circle(w)?),
-        Primitive::Tube { radius, height } => turn(&polyline(&wall(radius, height), h)?, &unit_circle(w)?),
-        Primitive::Cylinder { radius, height } => turn(&polyline(&capped(radius, height), h)?, &unit_circle(w)?),
-        Primitive::Cone { radius, height } => turn(&polyline(&pointed(radius, height), h)?, &unit_circle(w)?),
+        Primitive::Tube { radius, height } => turn(&polyline(&tube_profile(radius, height), h)?, &unit_circle(w)?),
+        Primitive::Cylinder { radius, height } => {
+            turn(&polyline(&cylinder_profile(radius, height), h)?, &unit_circle(w)?)
+        }
+        Primitive::Cone { radius, height } => turn(&polyline(&cone_profile(radius, height), h)?, &unit_circle(w)?),
         Primitive::Prism { sides, radius, height } => {
-            turn(&polyline(&capped(radius, height), h)?, &polygon(sides as usize, w)?)
+            turn(&polyline(&cylinder_profile(radius, height), h)?, &polygon(sides as usize, w)?)
         }
         Primitive::Pyramid { sides, radius, height } => {
-            turn(&polyline(&pointed(radius, height), h)?, &polygon(sides as usize, w)?)
+            turn(&polyline(&cone_profile(radius, height), h)?, &polygon(sides as usize, w)?)
         }
         Primitive::Lathe { profile } => turn(profile, &unit_circle(w)?),
         Primitive::Plane { size: [x, y] } => {
@@ -67,37 +69,37 @@ pub(super) fn net(primitive: &Primitive<'_>, shape: Shape, scalar: Scalar, job: 
     }
 }
 
-/// The node in the first column of the class of a node of a Möbius strip or a Klein bottle.
+/// Returns the node in the first column of the class of a node of a Möbius strip or a Klein bottle.
 fn first_column(shape: Shape, i: usize, j: usize) -> (usize, usize) {
     if j + 1 == shape.columns() { (shape.rows() - 1 - i, 0) } else { (i, j) }
 }
 
-/// The node in the first row or column of the class of a node of a projective plane.
+/// Returns the node in the first row or column of the class of a node of a projective plane.
 fn half_rim(shape: Shape, i: usize, j: usize) -> (usize, usize) {
     let (h, w) = (shape.rows(), shape.columns());
     let second = i + 1 == h || (j + 1 == w && i > 0);
     if second { (h - 1 - i, w - 1 - j) } else { (i, j) }
 }
 
-/// The profile of a tube.
-fn wall(radius: f64, height: f64) -> [Point; 2] {
+/// Returns the profile of a tube.
+fn tube_profile(radius: f64, height: f64) -> [Point; 2] {
     [[radius, -height / 2.0], [radius, height / 2.0]]
 }
 
-/// The profile of a cylinder.
-fn capped(radius: f64, height: f64) -> [Point; 4] {
-    let [low, high] = wall(radius, height);
+/// Returns the profile of a cylinder.
+fn cylinder_profile(radius: f64, height: f64) -> [Point; 4] {
+    let [low, high] = tube_profile(radius, height);
     [[0.0, low[1]], low, high, [0.0, high[1]]]
 }
 
-/// The profile of a cone.
-fn pointed(radius: f64, height: f64) -> [Point; 3] {
-    let [low, high] = wall(radius, height);
+/// Returns the profile of a cone.
+fn cone_profile(radius: f64, height: f64) -> [Point; 3] {
+    let [low, high] = tube_profile(radius, height);
     [[0.0, low[1]], low, [0.0, high[1]]]
 }
 
 /// Row i is point i of the profile, column j in the direction of point j of the section.
-fn swept(shape: Shape, profile: &[Point], section: &[Point], scalar: Scalar, job: &Job<'_>) -> Result<Net<'static>> {
+fn sweep(shape: Shape, profile: &[Point], section: &[Point], scalar: Scalar, job: &Job<'_>) -> Result<Net<'static>> {
     rows(swept_topology(shape, profile)?, scalar, job, |i, [x, y, z]| {
         let [distance, height] = profile[i];
         for ((x, y), &[u, v]) in x.iter_mut().zip(y).zip(section) {
@@ -129,8 +131,8 @@ fn swept_topology(shape: Shape, profile: &[Point]) -> Result<Topology> {
     Ok(topology.with_reversed(closed && volume(profile) < 0.0))
 }
 
-/// The volume that the profile encloses, up to a positive factor: truncated cones, signed by their
-/// heights.
+/// Returns the volume that the profile encloses, up to a positive factor: truncated cones, signed
+/// by their heights.
 fn volume(profile: &[Point]) -> f64 {
     // Scaled, so that products stay in range.
     let scale = profile.iter().flatten().fold(f64::MIN_POSITIVE, |max, value| max.max(value.abs()));
@@ -144,7 +146,7 @@ fn volume(profile: &[Point]) -> f64 {
 /// Nodes between two progress reports.
 const NODES_PER_REPORT: usize = 1 << 16;
 
-/// The net whose row i is written by `row` to three buffers. Zeros are positive.
+/// Returns the net whose row i is written by `row` to three buffers. Zeros are positive.
 fn rows(
     topology: Topology,
     scalar: Scalar,
@@ -165,7 +167,7 @@ fn rows(
     Ok(Net::new(coordinates, topology))
 }
 
-/// The net whose nodes are given by `node`.
+/// Returns the net whose nodes are given by `node`.
 fn nodes(
     topology: Topology,
     scalar: Scalar,

@@ -8,14 +8,14 @@ pub(super) fn symmetric_parameter(k: usize, count: usize) -> f64 {
     (2.0 * k as f64 - (count - 1) as f64) / (count - 1) as f64
 }
 
-/// The map from the square -1..1 to the unit disc that takes concentric squares to circles.
+/// Returns the map from the square -1..1 to the unit disc that takes concentric squares to circles.
 fn disc([u, v]: [f64; 2]) -> [f64; 2] {
     let (ring, length) = (u.abs().max(v.abs()), (u * u + v * v).sqrt());
     if ring == 0.0 { [0.0, 0.0] } else { [u / length * ring, v / length * ring] }
 }
 
-/// The map from the square to the unit sphere that takes its centre to the top, concentric squares
-/// to parallels and its rim to the bottom.
+/// Returns the map from the square to the unit sphere that takes its centre to the top, concentric
+/// squares to parallels and its rim to the bottom.
 pub(super) fn one_pole([u, v]: [f64; 2]) -> [f64; 3] {
     let (ring, length) = (u.abs().max(v.abs()), (u * u + v * v).sqrt());
     match ring {
@@ -28,26 +28,27 @@ pub(super) fn one_pole([u, v]: [f64; 2]) -> [f64; 3] {
     }
 }
 
-/// The point of node (i, j) on a box.
+/// Returns the point of node (i, j) on a box.
 pub(super) fn on_box(cuboid: &Cuboid, size: [f64; 3], i: usize, j: usize) -> [f64; 3] {
     let place = cuboid.place(i, j);
     [0, 1, 2].map(|x| f64::from(place[x]) * size[x] / f64::from(cuboid.cells[x]) - size[x] / 2.0)
 }
 
-/// A point of the square over a rectangle, highest in the middle and 0 at its rim.
+/// Returns a point of the square over a rectangle, highest in the middle and 0 at its rim.
 pub(super) fn bulge(size: [f64; 2], thickness: f64, [u, v]: [f64; 2]) -> [f64; 3] {
     [size[0] / 2.0 * u, size[1] / 2.0 * v, thickness / 2.0 * ((1.0 - u * u) * (1.0 - v * v))]
 }
 
-/// The point at `from_middle` on a line through the circle of `radius` at `k` n-ths of a turn,
-/// which rotates half as fast.
+/// Returns the point at `from_middle` on a line through the circle of `radius` at `k` n-ths of a
+/// turn, which rotates half as fast.
 pub(super) fn strip(radius: f64, from_middle: f64, k: usize, n: usize) -> [f64; 3] {
     let ([c, s], [half_c, half_s]) = (on_circle(k, n), on_circle(k, 2 * n));
     let distance = radius + from_middle * half_c;
     [distance * c, distance * s, from_middle * half_s]
 }
 
-/// The figure eight (sin v, sin 2v) at `section` n-ths of a turn, swept as the line of [`strip`].
+/// Returns the figure eight (sin v, sin 2v) at `section` n-ths of a turn, swept as the line of
+/// [`strip`].
 pub(super) fn figure_eight(radius: f64, minor_radius: f64, section: [usize; 2], around: [usize; 2]) -> [f64; 3] {
     let [[c, s], [half_c, half_s]] = [on_circle(around[0], around[1]), on_circle(around[0], 2 * around[1])];
     let (p, q) = (on_circle(section[0], section[1])[1], on_circle(2 * section[0], section[1])[1]);

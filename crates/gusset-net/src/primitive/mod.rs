@@ -37,12 +37,12 @@ impl<'a> Request<'a> {
     /// The default number of columns.
     pub const COLUMNS: usize = 65;
 
-    /// A shape with default rows and columns, in double precision.
+    /// Returns a shape with default rows and columns, in double precision.
     pub fn new(primitive: Primitive<'a>) -> Self {
         Request { primitive, rows: 0, columns: 0, scalar: Scalar::F64 }
     }
 
-    /// The size that the net will have.
+    /// Returns the size that the net will have.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] for too few rows or columns, [`Error::NetTooSmall`],

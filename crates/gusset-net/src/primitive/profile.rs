@@ -25,7 +25,7 @@ pub(super) fn half_circle(radius: f64, rows: usize) -> Result<Vec<Point>> {
     }))
 }
 
-/// A circle round (`distance`, 0), from the point farthest from the axis upwards.
+/// Returns a circle round (`distance`, 0), from the point farthest from the axis upwards.
 pub(super) fn circle(distance: f64, radius: f64, rows: usize) -> Result<Vec<Point>> {
     alloc::collect((0..rows).map(|i| {
         let [c, s] = on_circle(i, rows - 1);
@@ -33,8 +33,8 @@ pub(super) fn circle(distance: f64, radius: f64, rows: usize) -> Result<Vec<Poin
     }))
 }
 
-/// A polyline of `rows` points at nearly equal distances, including its corners. Needs a row for
-/// each corner.
+/// Returns a polyline of `rows` points at nearly equal distances, including its corners. Needs a
+/// row for each corner.
 pub(super) fn polyline(corners: &[Point], rows: usize) -> Result<Vec<Point>> {
     let lengths = corners.windows(2).map(|ends| libm::hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]));
     let mut segments: Vec<(f64, usize)> = alloc::collect(lengths.map(|length| (length, 1)))?;
@@ -53,8 +53,8 @@ pub(super) fn polyline(corners: &[Point], rows: usize) -> Result<Vec<Point>> {
     Ok(points)
 }
 
-/// The points of a regular polygon with a corner at (1, 0), in `columns` nodes, including its
-/// corners. The last node equals the first.
+/// Returns the points of a regular polygon with a corner at (1, 0), in `columns` nodes, including
+/// its corners. The last node equals the first.
 pub(super) fn polygon(sides: usize, columns: usize) -> Result<Vec<Point>> {
     let first = |side: usize| side * (columns - 1) / sides;
     let mut points = alloc::with_capacity(columns)?;

@@ -118,7 +118,7 @@ pub enum Primitive<'a> {
 }
 
 impl Primitive<'_> {
-    /// The smallest numbers of rows and columns.
+    /// Returns the smallest numbers of rows and columns.
     pub(super) fn min_size(&self) -> (usize, usize) {
         match *self {
             Primitive::Plane { .. } => (2, 2),

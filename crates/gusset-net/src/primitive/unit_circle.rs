@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 
-/// Cosine and sine of `k` n-ths of a turn.
+/// Returns cosine and sine of `k` n-ths of a turn.
 ///
 /// The bits for k and k + n are equal, quarter turns are exact, and the values are symmetric: each
 /// is a value of the first eighth of a turn, up to sign and exchange. Zeros are positive.

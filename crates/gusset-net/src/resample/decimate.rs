@@ -4,7 +4,7 @@
 //! Invariant: the deviation of removed nodes from the segments that replace them stays within half
 //! the tolerance for rows, and for columns. O(nodes log rows) approximately.
 
-use super::whole_sides::{min_size, require_sides, selected, with_sides};
+use super::whole_sides::{min_size, require_sides, select_lines, with_sides};
 use crate::{Net, each};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -53,13 +53,13 @@ pub fn decimate(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Decimate
         let (rows, by_rows) = choose_kept_lines(h, min_rows, limit, &job.part(0.0, 0.5), |gap| deviation(row, gap, &all))?;
         let column = |k: usize, i: usize| planes.get(i, k);
         let (columns, by_columns) = choose_kept_lines(w, min_columns, limit, &job.part(0.5, 1.0), |gap| deviation(column, gap, &rows))?;
-        let net = with_sides(selected(net, &rows, &columns, &job.part(1.0, 1.0))?, net, sides)?;
+        let net = with_sides(select_lines(net, &rows, &columns, &job.part(1.0, 1.0))?, net, sides)?;
         Ok(Decimated { net, rows, columns, deviation: by_rows + by_columns })
     })
 }
 
-/// The largest distance of nodes in a gap, between two kept lines, from the segments across it.
-/// `node(k, j)`: node j of line k.
+/// Returns the largest distance of nodes in a gap, between two kept lines, from the segments across
+/// it. `node(k, j)`: node j of line k.
 fn deviation(node: impl Fn(usize, usize) -> DVec3, gap: Range<usize>, places: &[usize]) -> f64 {
     let mut max = 0.0f64;
     for &j in places {
@@ -78,7 +78,7 @@ fn deviation(node: impl Fn(usize, usize) -> DVec3, gap: Range<usize>, places: &[
     max.sqrt()
 }
 
-/// The squared distance of a point from a segment.
+/// Returns the squared distance of a point from a segment.
 fn squared_distance(point: DVec3, a: DVec3, b: DVec3) -> f64 {
     let (along, to) = (b - a, point - a);
     let square = along.length_squared();
@@ -86,7 +86,7 @@ fn squared_distance(point: DVec3, a: DVec3, b: DVec3) -> f64 {
     (to - t * along).length_squared()
 }
 
-/// The kept lines of `count`, and the largest cost of the removed ones.
+/// Returns the kept lines of `count`, and the largest cost of the removed ones.
 fn choose_kept_lines(
     count: usize,
     min_lines: usize,

@@ -1,7 +1,7 @@
 //! Resampling by bilinear and Catmull-Rom interpolation, a separable filter of four taps, and
 //! pyramids of nets. O(nodes of both).
 
-use super::whole_sides::{min_size, require_sides, selected, with_sides};
+use super::whole_sides::{min_size, require_sides, select_lines, with_sides};
 use crate::chunks::zip3;
 use crate::{Coordinates, Net, Planes, Real, Shape, each};
 use gusset_base::alloc;
@@ -49,7 +49,7 @@ pub fn resample(
     let along = taps(net.shape().columns(), columns, sides.rows_closed, interpolation)?;
     let across = taps(net.shape().rows(), rows, sides.columns_closed, interpolation)?;
     let coordinates =
-        each!(net.coordinates(), planes => Coordinates::from(interpolated(planes, shape, &along, &across, job)?));
+        each!(net.coordinates(), planes => Coordinates::from(interpolate(planes, shape, &along, &across, job)?));
     with_sides(coordinates, net, sides)
 }
 
@@ -82,13 +82,13 @@ pub fn pyramid(net: &Net<'_>, interpolation: Interpolation, job: &Job<'_>) -> Re
         }
         let rows = alloc::collect((0..fine.shape().rows()).step_by(row_step))?;
         let columns = alloc::collect((0..fine.shape().columns()).step_by(column_step))?;
-        let coarse = with_sides(selected(fine, &rows, &columns, &job.part(1.0, 1.0))?, fine, sides)?;
+        let coarse = with_sides(select_lines(fine, &rows, &columns, &job.part(1.0, 1.0))?, fine, sides)?;
         alloc::push(&mut levels, coarse)?;
     }
     Ok(levels)
 }
 
-/// The taps of `new` nodes evenly spaced over `old` ones, along one direction.
+/// Returns the taps of `new` nodes evenly spaced over `old` ones, along one direction.
 fn taps(old: usize, new: usize, closed: bool, interpolation: Interpolation) -> Result<Vec<Tap>> {
     alloc::collect((0..new).map(|k| {
         // k (old - 1) / (new - 1), exactly.
@@ -112,8 +112,8 @@ struct Tap {
 }
 
 impl Tap {
-    /// The Catmull-Rom spline between nodes `k` and `k + 1` of `count`. An open end is extrapolated
-    /// linearly: the missing node is twice the last minus the previous one.
+    /// Returns the Catmull-Rom spline between nodes `k` and `k + 1` of `count`. An open end is
+    /// extrapolated linearly: the missing node is twice the last minus the previous one.
     fn cubic(k: usize, count: usize, closed: bool, t: f64) -> Self {
         let (s, square) = (1.0 - t, t * t);
         let mut weights =
@@ -132,12 +132,12 @@ impl Tap {
         Tap { nodes: [before, k, k + 1, after], weights }
     }
 
-    /// The nodes with non-zero weights. A weight of 0 would still spread missing nodes.
+    /// Returns the nodes with non-zero weights. A weight of 0 would still spread missing nodes.
     fn parts(&self) -> impl Iterator<Item = (usize, f64)> {
         self.nodes.into_iter().zip(self.weights).filter(|&(_, weight)| weight != 0.0)
     }
 
-    /// The node of weight 1, if all other weights are 0.
+    /// Returns the node of weight 1, if all other weights are 0.
     fn single(&self) -> Option<usize> {
         let mut parts = self.parts();
         let (node, weight) = parts.next()?;
@@ -155,15 +155,15 @@ impl Tap {
         }
     }
 
-    /// The weighted sum of numbers of a row.
-    fn along(&self, line: &[f64]) -> f64 {
+    /// Returns the weighted sum of numbers of a row.
+    fn blend_line(&self, line: &[f64]) -> f64 {
         let sum = || self.parts().map(|(j, weight)| weight * line[j]).sum();
         self.single().map_or_else(sum, |j| line[j])
     }
 }
 
 /// Interpolates across rows, a row at a time, then along the row.
-fn interpolated<T: Real>(
+fn interpolate<T: Real>(
     from: &Planes<'_, T>,
     shape: Shape,
     along: &[Tap],
@@ -178,7 +178,7 @@ fn interpolated<T: Real>(
         for (axis, matrix) in matrices.into_iter().enumerate() {
             for (k, row) in matrix.chunks_mut(shape.columns()).enumerate() {
                 across[block * lines + k].blend_rows(from, axis, &mut line);
-                row.iter_mut().zip(along).for_each(|(to, tap)| *to = T::from_f64(tap.along(&line)));
+                row.iter_mut().zip(along).for_each(|(to, tap)| *to = T::from_f64(tap.blend_line(&line)));
             }
         }
         Ok(())

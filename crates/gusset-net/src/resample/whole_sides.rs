@@ -7,14 +7,15 @@ use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 
-/// The sides of a net without other gluings and bridges; otherwise returns [`Error::GluedInside`].
+/// Returns the sides of a net without other gluings and bridges; otherwise returns
+/// [`Error::GluedInside`].
 pub(super) fn require_sides(net: &Net<'_>) -> Result<Sides> {
     let plain = net.topology().seams().is_empty() && net.bridges().is_empty();
     net.topology().sides().filter(|_| plain).ok_or(Error::GluedInside)
 }
 
-/// The smallest numbers of rows and columns that preserve the surface, if closed ones keep `closed`
-/// nodes. A face between two poles must not become an edge or occur twice.
+/// Returns the smallest numbers of rows and columns that preserve the surface, if closed ones keep
+/// `closed` nodes. A face between two poles must not become an edge or occur twice.
 pub(super) fn min_size(sides: Sides, closed: usize) -> [usize; 2] {
     let min = |is_closed: bool, poles: [bool; 2], across: [bool; 2]| match (poles, across) {
         _ if is_closed => closed,
@@ -27,7 +28,7 @@ pub(super) fn min_size(sides: Sides, closed: usize) -> [usize; 2] {
     [min(sides.columns_closed, rows, columns), min(sides.rows_closed, columns, rows)]
 }
 
-/// A net with the given sides and the orientation of another, its glued nodes made equal.
+/// Returns a net with the given sides and the orientation of another, its glued nodes made equal.
 pub(super) fn with_sides(coordinates: Coordinates<'static>, like: &Net<'_>, sides: Sides) -> Result<Net<'static>> {
     let topology = Topology::from_sides(coordinates.shape(), sides).with_reversed(like.topology().is_reversed());
     let mut net = Net::new(coordinates, topology);
@@ -35,8 +36,8 @@ pub(super) fn with_sides(coordinates: Coordinates<'static>, like: &Net<'_>, side
     Ok(net)
 }
 
-/// The nodes of selected rows and columns, bit for bit.
-pub(super) fn selected(
+/// Returns the nodes of selected rows and columns, bit for bit.
+pub(super) fn select_lines(
     net: &Net<'_>,
     rows: &[usize],
     columns: &[usize],

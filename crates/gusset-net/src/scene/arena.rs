@@ -65,7 +65,7 @@ pub struct Counts {
 }
 
 impl Scene {
-    /// An empty scene.
+    /// Returns an empty scene.
     pub fn new() -> Self {
         Scene::default()
     }
@@ -211,7 +211,7 @@ impl Scene {
         Ok(())
     }
 
-    /// The transform of an entry into the space of its groups.
+    /// Returns the transform of an entry into the space of its groups.
     ///
     /// # Errors
     /// [`Error::NoSuch`].
@@ -227,7 +227,7 @@ impl Scene {
         Ok(self.entry(index)?.visible)
     }
 
-    /// The content of an entry.
+    /// Returns the content of an entry.
     ///
     /// # Errors
     /// [`Error::NoSuch`].
@@ -235,7 +235,7 @@ impl Scene {
         Ok(&self.entry(index)?.content)
     }
 
-    /// A net.
+    /// Returns a net.
     ///
     /// # Errors
     /// [`Error::NoSuch`], also for a group.
@@ -246,7 +246,7 @@ impl Scene {
         }
     }
 
-    /// The children of a group, in order.
+    /// Returns the children of a group, in order.
     ///
     /// # Errors
     /// [`Error::NoSuch`], also for a net.

@@ -25,7 +25,7 @@ pub struct Instance {
 }
 
 impl Scene {
-    /// The numbers of elements. O(entries + children).
+    /// Returns the numbers of elements. O(entries + children).
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -67,7 +67,7 @@ impl Scene {
         Ok(counts)
     }
 
-    /// The number of instances. O(entries + children).
+    /// Returns the number of instances. O(entries + children).
     ///
     /// # Errors
     /// [`Error::TooLarge`] for more than [`MAX_INSTANCES`], [`Error::OutOfMemory`].
@@ -77,7 +77,7 @@ impl Scene {
         Ok(count as usize)
     }
 
-    /// All instances, each after its group, children in order. O(instances).
+    /// Returns all instances, each after its group, children in order. O(instances).
     ///
     /// # Errors
     /// [`Error::TooLarge`] for more than [`MAX_INSTANCES`], before any is listed;
@@ -106,7 +106,7 @@ impl Scene {
         Ok(instances)
     }
 
-    /// The entries in no group.
+    /// Returns the entries in no group.
     fn roots(&self) -> impl Iterator<Item = (u32, &Entry)> {
         let entries = (0..).zip(&self.entries).filter_map(|(index, entry)| Some((index, entry.as_ref()?)));
         entries.filter(|(_, entry)| entry.parents.is_empty())

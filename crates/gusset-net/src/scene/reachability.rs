@@ -74,7 +74,7 @@ impl Search {
         Ok(Search { numbers, path: alloc::filled((from, 0), 1)? })
     }
 
-    /// The entry and the number of its neighbour to examine.
+    /// Returns the entry and the number of its neighbour to examine.
     fn next(&mut self) -> Option<(u32, usize)> {
         let (at, next) = self.path.last_mut()?;
         *next += 1;

@@ -31,7 +31,7 @@ fn difference(a: &[DVec3], b: &[DVec3]) -> Result<Vec<DVec3>> {
 }
 
 impl Anderson {
-    /// An accelerated displacement for the step from these unknowns; `None` at first.
+    /// Returns an accelerated displacement for the step from these unknowns; `None` at first.
     pub(super) fn accelerated(&mut self, at: &[DVec3], step: &[DVec3]) -> Result<Option<Vec<DVec3>>> {
         if let Some([before, start]) = &self.last {
             if self.changes.len() == WINDOW {
@@ -54,8 +54,8 @@ impl Anderson {
         Ok(accelerated.iter().all(|p| p.is_finite()).then_some(accelerated))
     }
 
-    /// The weights of the changes whose combination is closest to a step, by elimination of the
-    /// normal equations.
+    /// Returns the weights of the changes whose combination is closest to a step, by elimination of
+    /// the normal equations.
     fn weights(&self, step: &[DVec3]) -> [f64; WINDOW] {
         let m = self.changes.len();
         let (mut matrix, mut weights) = ([[0.0; WINDOW]; WINDOW], [0.0; WINDOW]);

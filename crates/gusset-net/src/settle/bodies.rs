@@ -1,7 +1,7 @@
 //! Rigid bodies: the rotations that lower the energy.
 
 use super::energy_model::Model;
-use super::motion::{Motion, outer};
+use super::motion::{Motion, outer_product};
 use super::parts::{BODY, NOWHERE};
 use super::term::Term;
 use glam::{DMat3, DVec3};
@@ -22,7 +22,7 @@ struct Lever {
     inertia: f64,
 }
 
-/// The share of one body in a term: its coefficient c, and A, the sum of c_j x_j.
+/// Returns the share of one body in a term: its coefficient c, and A, the sum of c_j x_j.
 fn share(model: &Model, term: &Term, x: &[DVec3], body: u32) -> (f64, DVec3) {
     let mut share = (0.0, DVec3::ZERO);
     for (&point, &c) in term.points.iter().zip(&term.factors) {
@@ -51,12 +51,12 @@ pub(super) fn rotate(model: &Model, terms: &[Term], x: &mut [DVec3], motions: &m
             let (c, a) = share(model, term, x, body);
             let a = a - c * about;
             let rest = a - term.residual(x);
-            lever.covariance += outer(term.weight * rest, a);
+            lever.covariance += outer_product(term.weight * rest, a);
             lever.inertia += term.weight.abs() * a.length_squared();
         }
         if lever.inertia > 0.0 {
             let turn = best_rotation(lever.covariance + DMat3::from_diagonal(DVec3::splat(INERTIA * lever.inertia)));
-            motions[body as usize] = motions[body as usize].turned(turn, about);
+            motions[body as usize] = motions[body as usize].then_rotate(turn, about);
         }
     }
     model.place(motions, x);

@@ -85,7 +85,7 @@ impl ForceScale {
         if others_are { scale } else { ForceScale::Largest(largest) }
     }
 
-    /// A force relative to this scale.
+    /// Returns a force relative to this scale.
     fn relative(self, force: f64, unit: f64) -> f64 {
         match self {
             ForceScale::Largest(largest) => force / largest,
@@ -93,7 +93,7 @@ impl ForceScale {
         }
     }
 
-    /// A stiffness relative to this scale, in the unit.
+    /// Returns a stiffness relative to this scale, in the unit.
     fn relative_stiffness(self, stiffness: f64, unit: f64) -> f64 {
         match self {
             ForceScale::Largest(largest) => stiffness / largest / unit / unit,
@@ -101,7 +101,7 @@ impl ForceScale {
         }
     }
 
-    /// The units of energies and of forces.
+    /// Returns the units of energies and of forces.
     fn units(self, unit: f64) -> [f64; 2] {
         match self {
             ForceScale::Largest(largest) => [largest * unit, largest],
@@ -110,7 +110,8 @@ impl ForceScale {
     }
 }
 
-/// The length by which a tension is multiplied to be a force; for films, a line has that length.
+/// Returns the length by which a tension is multiplied to be a force; for films, a line has that
+/// length.
 fn film_unit(bridge: &Bridge, unit: f64) -> f64 {
     if bridge.kind == BridgeKind::Tube { unit } else { 1.0 }
 }
@@ -185,7 +186,7 @@ impl Builder<'_> {
         alloc::push(&mut self.composite.shares, Share { unknowns, lines, quads })
     }
 
-    /// The properties in the unit, relative to the largest.
+    /// Returns the properties in the unit, relative to the largest.
     fn law(&self, index: usize) -> Result<Law> {
         let bridge = &self.net.bridges()[index];
         let (p, unit) = (bridge.properties, self.surface.unit);
@@ -240,7 +241,7 @@ impl Builder<'_> {
         })
     }
 
-    /// The vertices of a line from side to side.
+    /// Returns the vertices of a line from side to side.
     fn line(&self, bridge: &Bridge, k: usize) -> Result<Vec<u32>> {
         alloc::collect((bridge.first_side() as usize..bridge.at as usize + 1).map(|i| self.vertex(i, k)))
     }
@@ -267,21 +268,21 @@ impl Builder<'_> {
         if law.stiffness > 0.0 && h > MIN_LENGTH {
             for end in 0..2 {
                 let side = points[end * (points.len() - 1)];
-                let before = centres[end].or_else(|| self.before(place, end, k));
+                let before = centres[end].or_else(|| self.node_before(place, end, k));
                 aims[end] = before.map(|before| self.add_aim(side, before, h)).transpose()?.flatten();
             }
         }
         alloc::push(&mut self.composite.model.lines, Line { points, rests, spacing: h, aims, law })
     }
 
-    /// The row or column of a part that is adjacent to the bridge's side at an end.
+    /// Returns the row or column of a part that is adjacent to the bridge's side at an end.
     fn row_before(&self, place: usize, end: usize) -> Option<usize> {
         let rows = &self.parts.ranges[place + end];
         (rows.len() > 1).then(|| if end == 0 { rows.end - 2 } else { rows.start + 1 })
     }
 
-    /// The node before the start of a line, within the part.
-    fn before(&self, place: usize, end: usize, k: usize) -> Option<DVec3> {
+    /// Returns the node before the start of a line, within the part.
+    fn node_before(&self, place: usize, end: usize, k: usize) -> Option<DVec3> {
         let before = self.composite.points[self.vertex(self.row_before(place, end)?, k) as usize];
         before.is_finite().then_some(before)
     }
@@ -392,7 +393,7 @@ impl Builder<'_> {
         let nodes = |part: usize| parts.ranges[part].clone().flat_map(move |i| (0..along).map(move |k| (i, k)));
         let pairs = (0..parts.ranges.len()).filter(leads).flat_map(nodes);
         let pairs = pairs.map(|place| [scaled(reference, place), scaled(net, place)]);
-        let motion = Motion::fitted(pairs.filter(|[p, q]| p.is_finite() && q.is_finite()));
+        let motion = Motion::fit(pairs.filter(|[p, q]| p.is_finite() && q.is_finite()));
         let mut place_node = |i: usize, k: usize| {
             let v = parts.vertex(&surface.classes, i, k) as usize;
             let at = scaled(reference, (i, k));

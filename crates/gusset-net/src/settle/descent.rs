@@ -60,7 +60,7 @@ pub(super) fn descend(composite: &mut Composite, tolerance: f64, max: u32, job: 
         if are_held && !descent.converged {
             let unknowns = unknowns(composite)?;
             if let Some(step) = anderson.accelerated(&unknowns, &step)? {
-                let (x, motions) = model.moved(x, motions, &step, 1.0)?;
+                let (x, motions) = model.displace(x, motions, &step, 1.0)?;
                 let after = model.energies(&x).sum();
                 if after < next.2 {
                     next = (x, motions, after);
@@ -94,7 +94,7 @@ fn is_rounding(composite: &Composite, step: &[DVec3], gradient: &[DVec3], roundi
         && composite.shares.iter().all(|share| is_within(gain(share.unknowns.clone()), energy_of(share)))
 }
 
-/// The current unknowns.
+/// Returns the current unknowns.
 fn unknowns(composite: &Composite) -> Result<Vec<DVec3>> {
     let mut unknowns = alloc::filled(DVec3::ZERO, composite.model.unknowns)?;
     for (&p, &slot) in composite.points.iter().zip(&composite.model.slots).filter(|(_, slot)| **slot < BODY) {
@@ -106,12 +106,13 @@ fn unknowns(composite: &Composite) -> Result<Vec<DVec3>> {
 /// Points, motions and their energy.
 type State = (Vec<DVec3>, Vec<Motion>, f64);
 
-/// The state after the whole step, a half, a quarter and so on, once the energy is not larger.
+/// Returns the state after the whole step, a half, a quarter and so on, once the energy is not
+/// larger.
 fn lower(composite: &Composite, step: &[DVec3], energy: f64, job: &Job<'_>) -> Result<Option<State>> {
     let mut part = 1.0;
     for _ in 0..MAX_HALVINGS {
         job.part(1.0, 1.0).step(0.0, "settle")?;
-        let (x, motions) = composite.model.moved(&composite.points, &composite.motions, step, part)?;
+        let (x, motions) = composite.model.displace(&composite.points, &composite.motions, step, part)?;
         let after = composite.model.energies(&x).sum();
         if after <= energy * (1.0 + ROUNDING) {
             return Ok(Some((x, motions, after)));
@@ -121,7 +122,7 @@ fn lower(composite: &Composite, step: &[DVec3], energy: f64, job: &Job<'_>) -> R
     Ok(None)
 }
 
-/// The largest displacement of an unknown or of a point of a body.
+/// Returns the largest displacement of an unknown or of a point of a body.
 fn largest(composite: &Composite, x: &[DVec3], motions: &[Motion], next: &State) -> f64 {
     let own = composite.model.slots.iter().zip(x.iter().zip(&next.0)).filter(|(slot, _)| **slot < BODY);
     let own = own.map(|(_, (p, q))| p.distance(*q)).fold(0.0, f64::max);

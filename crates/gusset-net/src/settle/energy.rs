@@ -58,32 +58,32 @@ impl Line {
         self.points.windows(2).map(|ends| x[ends[1] as usize] - x[ends[0] as usize])
     }
 
-    /// The square root of the number of links times the sum of their squares: the length of the
-    /// line once its nodes are evenly spaced, as in equilibrium.
+    /// Returns the square root of the number of links times the sum of their squares: the length of
+    /// the line once its nodes are evenly spaced, as in equilibrium.
     fn length(&self, x: &[DVec3]) -> f64 {
         (self.rests.len() as f64 * self.edges(x).map(DVec3::length_squared).sum::<f64>()).sqrt()
     }
 
-    /// The weight of a squared second difference: stiffness / h^3 for the mean rest length h; 0 if
-    /// h is unknown.
+    /// Returns the weight of a squared second difference: stiffness / h^3 for the mean rest length
+    /// h; 0 if h is unknown.
     fn bending_weight(&self) -> f64 {
         let h = self.spacing;
         if self.law.stiffness > 0.0 && h > MIN_LENGTH { self.law.stiffness / (h * h * h) } else { 0.0 }
     }
 
-    /// The rest lengths of the links that are springs.
+    /// Returns the rest lengths of the links that are springs.
     fn springs(&self) -> impl Iterator<Item = Option<f64>> + '_ {
         self.rests.iter().map(|&rest| (self.law.elasticity > 0.0 && rest > MIN_LENGTH).then_some(rest))
     }
 
-    /// The clamped ends: the point next to each end, and its target.
+    /// Returns the clamped ends: the point next to each end, and its target.
     fn clamps(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         let next = [1, self.points.len() - 2];
         (0..2).filter_map(move |end| Some([self.points[next[end]], self.aims[end]?]))
     }
 
-    /// The approximate energy of its springs at twice their rest length. The rounding of their
-    /// energy is relative to it if the energy is nearly 0.
+    /// Returns the approximate energy of its springs at twice their rest length. The rounding of
+    /// their energy is relative to it if the energy is nearly 0.
     pub(super) fn spring_scale(&self) -> f64 {
         self.law.elasticity * self.rests.iter().sum::<f64>()
     }
@@ -140,14 +140,14 @@ pub(super) struct Quad {
 }
 
 impl Quad {
-    /// The four triangles of its corners, from both diagonals.
+    /// Returns the four triangles of its corners, from both diagonals.
     fn triangles(&self) -> impl Iterator<Item = [u32; 3]> {
         let [a, b, c, d] = self.corners;
         let all = [[a, b, c], [a, c, d], [a, b, d], [b, c, d]];
         all.into_iter().filter(|[a, b, c]| a != b && b != c && c != a)
     }
 
-    /// The mean area of both triangulations.
+    /// Returns the mean area of both triangulations.
     pub(super) fn area(&self, x: &[DVec3]) -> f64 {
         let double =
             |[a, b, c]: [u32; 3]| (x[b as usize] - x[a as usize]).cross(x[c as usize] - x[a as usize]).length();

@@ -30,7 +30,7 @@ pub(super) struct Model {
 }
 
 impl Model {
-    /// The unknown that moves a point, if any does.
+    /// Returns the unknown that moves a point, if any does.
     fn unknown(&self, point: u32) -> Option<usize> {
         let slot = self.slots[point as usize];
         let unknown = match slot {
@@ -41,7 +41,7 @@ impl Model {
         (unknown != NOWHERE).then_some(unknown as usize)
     }
 
-    /// The numbers of unknowns, lines and quads.
+    /// Returns the numbers of unknowns, lines and quads.
     pub(super) fn counts(&self) -> [usize; 3] {
         [self.unknowns, self.lines.len(), self.quads.len()]
     }
@@ -60,8 +60,8 @@ impl Model {
         sum
     }
 
-    /// The terms of a sum of squares that bounds the energy from above, up to a constant, and
-    /// touches it at x.
+    /// Returns the terms of a sum of squares that bounds the energy from above, up to a constant,
+    /// and touches it at x.
     pub(super) fn terms(&self, x: &[DVec3]) -> Result<Vec<Term>> {
         let mut terms = Vec::new();
         for line in &self.lines {
@@ -73,7 +73,7 @@ impl Model {
         Ok(terms)
     }
 
-    /// The gradient of the sum for each unknown.
+    /// Returns the gradient of the sum for each unknown.
     pub(super) fn gradient(&self, terms: &[Term], x: &[DVec3]) -> Result<Vec<DVec3>> {
         let mut gradient = alloc::filled(DVec3::ZERO, self.unknowns)?;
         for term in terms {
@@ -87,7 +87,8 @@ impl Model {
         Ok(gradient)
     }
 
-    /// The displacements of the unknowns to the minimum of the sum, with bodies that do not rotate.
+    /// Returns the displacements of the unknowns to the minimum of the sum, with bodies that do not
+    /// rotate.
     pub(super) fn step(&self, terms: &[Term], gradient: &[DVec3], job: &Job<'_>) -> Result<Vec<DVec3>> {
         let matrix = self.matrix(terms, &job.part(0.0, 0.2))?;
         let mut solution = alloc::collect(gradient.iter().map(|&g| -g))?;
@@ -128,8 +129,8 @@ impl Model {
         Ok(Symmetric { start, entries, diagonal })
     }
 
-    /// The points and the motions after displacements, or after a fraction of them.
-    pub(super) fn moved(
+    /// Returns the points and the motions after displacements, or after a fraction of them.
+    pub(super) fn displace(
         &self,
         x: &[DVec3],
         motions: &[Motion],

@@ -144,7 +144,7 @@ pub fn settle(net: &mut Net<'_>, options: &SettleOptions<'_>, job: &Job<'_>) -> 
 }
 
 impl Composite {
-    /// The number of films with a collapsed cell.
+    /// Returns the number of films with a collapsed cell.
     fn collapsed(&self) -> u32 {
         let has_collapsed = |(quads, area): &&(std::ops::Range<usize>, f64)| {
             let least = MIN_RELATIVE_CELL_AREA * area / quads.len().max(1) as f64;

@@ -18,13 +18,14 @@ impl Motion {
     }
 
     /// This motion, followed by a rotation about a point.
-    pub(super) fn turned(&self, rotation: DQuat, about: DVec3) -> Motion {
+    pub(super) fn then_rotate(&self, rotation: DQuat, about: DVec3) -> Motion {
         let translation = rotation * (self.translation - about) + about;
         Motion { rotation: (rotation * self.rotation).normalize(), translation }
     }
 
-    /// The motion that best maps points to other points, by least squares: B. K. P. Horn (1987).
-    pub(super) fn fitted(pairs: impl Iterator<Item = [DVec3; 2]> + Clone) -> Motion {
+    /// Returns the motion that best maps points to other points, by least squares: B. K. P. Horn
+    /// (1987).
+    pub(super) fn fit(pairs: impl Iterator<Item = [DVec3; 2]> + Clone) -> Motion {
         let (mut sums, mut count) = ([DVec3::ZERO; 2], 0.0);
         pairs.clone().for_each(|[p, q]| (sums, count) = ([sums[0] + p, sums[1] + q], count + 1.0));
         if count == 0.0 {
@@ -32,13 +33,13 @@ impl Motion {
         }
         let means = sums.map(|sum| sum / count);
         let mut covariance = DMat3::ZERO;
-        pairs.for_each(|[p, q]| covariance += outer(q - means[1], p - means[0]));
+        pairs.for_each(|[p, q]| covariance += outer_product(q - means[1], p - means[0]));
         let rotation = best_rotation(covariance);
         Motion { rotation, translation: means[1] - rotation * means[0] }
     }
 }
 
 /// a b^T.
-pub(super) fn outer(a: DVec3, b: DVec3) -> DMat3 {
+pub(super) fn outer_product(a: DVec3, b: DVec3) -> DMat3 {
     DMat3::from_cols(b.x * a, b.y * a, b.z * a)
 }

@@ -31,7 +31,7 @@ pub(super) struct Parts {
     pub(super) held_parts: Vec<bool>,
 }
 
-/// The properties of a bridge that has a force; `None` if it has none.
+/// Returns the properties of a bridge that has a force; `None` if it has none.
 pub(super) fn forces(bridge: &Bridge) -> Option<BridgeProperties> {
     let p = bridge.properties;
     let pulls = p.tension > 0.0 || p.elasticity > 0.0 || p.stiffness > 0.0;
@@ -56,7 +56,7 @@ fn check(index: usize, p: BridgeProperties) -> Result<()> {
 }
 
 impl Parts {
-    /// The parts between the whole bridges in the direction of the last of them.
+    /// Returns the parts between the whole bridges in the direction of the last of them.
     pub(super) fn new(net: &Net<'_>, options: &SettleOptions<'_>) -> Result<Self> {
         let all = net.bridges();
         let whole = |bridge: &Bridge| bridge.is_whole(net.shape());
@@ -87,7 +87,7 @@ impl Parts {
         Ok(Parts { direction, bridges, ranges, bodies, held, held_parts })
     }
 
-    /// The class of the node at place `k` of row or column `i`.
+    /// Returns the class of the node at place `k` of row or column `i`.
     pub(super) fn vertex(&self, classes: &Classes, i: usize, k: usize) -> u32 {
         let (i, j) = self.direction.ordered(i, k);
         classes.representative(classes.shape().node(i, j))

@@ -12,7 +12,7 @@ pub(super) struct Term {
 }
 
 impl Term {
-    /// The term of the difference of two points.
+    /// Returns the term of the difference of two points.
     pub(super) fn edge(p: u32, q: u32, weight: f64, rest: DVec3) -> Self {
         Term { points: [p, q, q], factors: [1.0, -1.0, 0.0], weight, rest }
     }

@@ -99,12 +99,12 @@ impl<T: Bits, L: Levels<T>> Blocks<'_, T, L> {
         Sample::new(rows, shape.rows(), shape.columns(), count, &self.levels, |i, row| self.load_row(i, row))
     }
 
-    /// The best order of coordinates for the whole net.
+    /// Returns the best order of coordinates for the whole net.
     pub(super) fn best_order(&self) -> Result<usize> {
         self.sample(0..self.info.shape.rows(), ORDER_SAMPLE)?.best_order(fraction(self.info))
     }
 
-    /// The bytes of a block.
+    /// Returns the bytes of a block.
     pub(super) fn encode(&self, block: usize) -> Result<Vec<u8>> {
         let (info, rows) = (self.info, self.info.block_rows(block));
         let order = ORDERS[info.order as usize];

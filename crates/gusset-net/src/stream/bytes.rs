@@ -77,7 +77,7 @@ impl<'a> Reader<'a> {
         Reader { bytes, at: 0, offset }
     }
 
-    /// The error at the current byte.
+    /// Returns the error at the current byte.
     pub(super) fn bad(&self, what: &'static str) -> Error {
         bad(what, self.offset + self.at as u64)
     }
@@ -159,7 +159,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// The checksum of blocks and headers.
+/// Returns the checksum of blocks and headers.
 pub(super) fn checksum(bytes: &[u8]) -> u32 {
     crc32fast::hash(bytes)
 }

@@ -49,7 +49,7 @@ impl Encoder {
         Encoder { range, bits: Vec::new(), pending: 0, pending_count: 0, failed: false }
     }
 
-    /// The words of the range coder, and the bytes of the bits.
+    /// Returns the words of the range coder, and the bytes of the bits.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -109,7 +109,7 @@ impl<'a> Decoder<'a> {
         Ok(Decoder { range, bits, at: 0, failed: false })
     }
 
-    /// True if exactly the input was read.
+    /// Returns true if exactly the input was read.
     pub(super) fn is_sound(&self) -> bool {
         !self.failed && self.at.div_ceil(8) == self.bits.len() as u64
     }

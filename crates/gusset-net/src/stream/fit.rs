@@ -84,7 +84,7 @@ impl Sample {
         Ok(Sample { points, nodes_per_point })
     }
 
-    /// The order of coordinates of least cost.
+    /// Returns the order of coordinates of least cost.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
@@ -113,8 +113,8 @@ impl Sample {
         Ok((std::array::from_fn(|k| Predictor::new(&fits[k].weights, fraction)), cost))
     }
 
-    /// The best of three predictors: the parallelogram, with added errors of the coordinates
-    /// before, and with all weights free.
+    /// Returns the best of three predictors: the parallelogram, with added errors of the
+    /// coordinates before, and with all weights free.
     fn fit(&self, axis: usize, before: &[Fit], rounds: usize) -> Result<Fit> {
         let mut best = self.evaluated(axis, before, Predictor::PARALLELOGRAM)?;
         for free in [NEIGHBOURS, 0] {
@@ -133,7 +133,7 @@ impl Sample {
         Ok(best)
     }
 
-    /// The features of a point: its neighbours, and the errors of the coordinates before.
+    /// Returns the features of a point: its neighbours, and the errors of the coordinates before.
     fn features(&self, axis: usize, before: &[Fit], at: usize) -> [f64; WEIGHTS] {
         let point = &self.points[at];
         let mut features = [0.0; WEIGHTS];
@@ -145,7 +145,7 @@ impl Sample {
         features
     }
 
-    /// The cost and errors of given weights.
+    /// Returns the cost and errors of given weights.
     fn evaluated(&self, axis: usize, before: &[Fit], weights: [f64; WEIGHTS]) -> Result<Fit> {
         let used = weights.iter().filter(|&&weight| weight != 0.0).count();
         let mut fit = Fit { weights, cost: 0.0, errors: alloc::with_capacity(self.points.len())? };
@@ -196,7 +196,7 @@ impl Sample {
     }
 }
 
-/// The largest magnitude of a row.
+/// Returns the largest magnitude of a row.
 fn largest_value(line: &Line) -> f64 {
     line.here[MARGIN_BEFORE..].iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
 }
@@ -228,7 +228,7 @@ fn enter<T, L: Levels<T>>(line: &mut Line, i: usize, row: &[i64], known: &[bool]
     }
 }
 
-/// The median of magnitudes.
+/// Returns the median of magnitudes.
 fn median(errors: &[f64]) -> Result<f64> {
     if errors.is_empty() {
         return Ok(0.0);

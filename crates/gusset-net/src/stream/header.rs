@@ -61,7 +61,7 @@ pub struct StreamInfo {
 }
 
 impl StreamInfo {
-    /// The header of an empty stream.
+    /// Returns the header of an empty stream.
     pub(super) fn new(shape: Shape, scalar: Scalar, mode: Mode, rows_per_block: usize) -> Self {
         StreamInfo {
             shape,
@@ -168,12 +168,12 @@ impl StreamInfo {
         to.u32(checksum(&to.bytes[start..]))
     }
 
-    /// The number of blocks.
+    /// Returns the number of blocks.
     pub fn block_count(&self) -> usize {
         self.shape.rows().div_ceil(self.rows_per_block)
     }
 
-    /// The rows of a block.
+    /// Returns the rows of a block.
     pub fn block_rows(&self, block: usize) -> std::ops::Range<usize> {
         let start = block * self.rows_per_block;
         start..self.shape.rows().min(start + self.rows_per_block)

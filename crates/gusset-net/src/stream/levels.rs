@@ -9,10 +9,10 @@ use crate::Real;
 pub(super) trait Bits: Real {
     /// Bytes of a number.
     const SIZE: usize = size_of::<Self>();
-    /// The number as an integer that sorts numerically, from -infinity to infinity, with -0 before
-    /// 0 and NaN beyond both.
+    /// Returns the number as an integer that sorts numerically, from -infinity to infinity, with -0
+    /// before 0 and NaN beyond both.
     fn level(self) -> i64;
-    /// The number of a level, if it is in range.
+    /// Returns the number of a level, if it is in range.
     fn from_level(level: i64) -> Option<Self>;
     /// Little-endian bytes.
     fn write(self, to: &mut [u8]);
@@ -58,20 +58,20 @@ bits! { f32: i32, f64: i64 }
 
 /// A map between numbers and levels.
 pub(super) trait Levels<T>: Sync {
-    /// The level of a number.
+    /// Returns the level of a number.
     fn level(&self, axis: usize, number: T) -> i64;
-    /// The number of a level, if it is in range.
+    /// Returns the number of a level, if it is in range.
     fn number(&self, axis: usize, level: i64) -> Option<T>;
-    /// The value of a level for predictors, nearly linear in the number; not finite for NaN and
-    /// infinities.
+    /// Returns the value of a level for predictors, nearly linear in the number; not finite for NaN
+    /// and infinities.
     fn value(&self, level: i64) -> f64;
-    /// The level nearest to a finite value.
+    /// Returns the level nearest to a finite value.
     fn nearest(&self, axis: usize, value: f64) -> i64;
-    /// The spacing of values near this one.
+    /// Returns the spacing of values near this one.
     fn resolution(&self, value: f64) -> f64;
     /// Returns true for a node that is marked as missing and not coded.
     fn is_missing(&self, node: [T; 3]) -> bool;
-    /// The coordinates that missing nodes get.
+    /// Returns the coordinates that missing nodes get.
     fn missing(&self) -> [T; 3];
 }
 

@@ -121,12 +121,13 @@ impl Line {
         }
     }
 
-    /// The weights of the neighbours. The second row lacks NN and is predicted by parallelograms.
+    /// Returns the weights of the neighbours. The second row lacks NN and is predicted by
+    /// parallelograms.
     fn weights(i: usize, predictor: &Predictor) -> [f64; NEIGHBOURS] {
         std::array::from_fn(|k| if i == 1 { Predictor::PARALLELOGRAM[k] } else { predictor.weight(k) })
     }
 
-    /// The neighbours of node `j` in the order of their weights, relative to W.
+    /// Returns the neighbours of node `j` in the order of their weights, relative to W.
     pub(super) fn neighbours(&self, j: usize) -> [f64; NEIGHBOURS] {
         let (at, north) = (MARGIN_BEFORE + j, &self.north);
         let all =
@@ -134,7 +135,8 @@ impl Line {
         all.map(|value| value - self.here[at - 1])
     }
 
-    /// The weights of W and WW in row `i`. The first row of a block is extrapolated linearly.
+    /// Returns the weights of W and WW in row `i`. The first row of a block is extrapolated
+    /// linearly.
     pub(super) fn west(i: usize, predictor: &Predictor) -> [f64; 2] {
         if i == 0 {
             return [2.0, -1.0];
@@ -176,12 +178,12 @@ fn extrapolated(last: f64, before: f64) -> f64 {
     finite_sum(last, last - before)
 }
 
-/// The sum, or its first term if the sum is not finite.
+/// Returns the sum, or its first term if the sum is not finite.
 fn finite_sum(a: f64, b: f64) -> f64 {
     if (a + b).is_finite() { a + b } else { a }
 }
 
-/// A column or row normalised to -1 to 1.
+/// Returns a column or row normalised to -1 to 1.
 pub(super) fn place(k: usize, count: usize) -> f64 {
     2.0 * k as f64 / count as f64 - 1.0
 }

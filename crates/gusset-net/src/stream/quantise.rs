@@ -42,7 +42,7 @@ pub(super) fn levels<T: Bits>(planes: &Planes<'_, T>, bits: u32, per_axis: bool)
     Ok(grid)
 }
 
-/// The bounding box of the existing nodes; zeros if there are none.
+/// Returns the bounding box of the existing nodes; zeros if there are none.
 fn bounds<T: Bits>(planes: &Planes<'_, T>) -> [[f64; 3]; 2] {
     let mut bounds = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
     for i in 0..planes.shape().rows() {
@@ -61,8 +61,8 @@ fn bounds<T: Bits>(planes: &Planes<'_, T>) -> [[f64; 3]; 2] {
     if bounds[0][0] > bounds[1][0] { [[0.0; 3]; 2] } else { bounds }
 }
 
-/// The first coordinate and the step of an axis, if a sample of its coordinates lies in equal steps
-/// larger than `step`.
+/// Returns the first coordinate and the step of an axis, if a sample of its coordinates lies in
+/// equal steps larger than `step`.
 fn intrinsic_step<T: Bits>(planes: &Planes<'_, T>, axis: usize, step: f64) -> Result<Option<(f64, f64)>> {
     let (w, count) = (planes.shape().columns(), planes.shape().node_count());
     let mut found: Vec<f64> = alloc::with_capacity(MAX_SAMPLES)?;

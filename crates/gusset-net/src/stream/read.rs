@@ -99,7 +99,7 @@ impl Prelude {
     }
 }
 
-/// The table of blocks, and the end of the last one.
+/// Returns the table of blocks, and the end of the last one.
 fn read_table(info: &StreamInfo, mut from: Reader<'_>) -> Result<(Vec<Entry>, u64)> {
     let mut entries = alloc::with_capacity(info.block_count())?;
     let mut offset = info.prelude_size;
@@ -242,18 +242,18 @@ impl StreamDecoder {
         Ok(size)
     }
 
-    /// The header, once the prelude is complete.
+    /// Returns the header, once the prelude is complete.
     pub fn info(&self) -> Option<&StreamInfo> {
         self.state.as_ref().map(|(prelude, _)| &prelude.info)
     }
 
-    /// The number of complete rows.
+    /// Returns the number of complete rows.
     pub fn rows_done(&self) -> usize {
         let last = self.next.checked_sub(1);
         self.info().zip(last).map_or(0, |(info, last)| info.block_rows(last).end)
     }
 
-    /// The complete rows as a net: a sheet without bridges.
+    /// Returns the complete rows as a net: a sheet without bridges.
     ///
     /// # Errors
     /// [`Error::NetTooSmall`] for fewer than two rows, [`Error::OutOfMemory`],

@@ -61,14 +61,14 @@ impl Residuals {
     }
 }
 
-/// The escape code of a number: its length in bits, then its bits.
+/// Codes a large number: its length in bits, then its bits.
 #[cold]
 fn escape<C: Coder>(coder: &mut C, value: u64) -> u64 {
     let length = coder.bits(u64::from(64 - value.leading_zeros()), 7).min(64) as u32;
     coder.bits(value, length)
 }
 
-/// The class of a magnitude.
+/// Returns the class of a magnitude.
 #[inline(always)]
 fn range(magnitude: u64) -> usize {
     // From 16 on, each class starts at 8 plus a power of two.
@@ -81,7 +81,7 @@ fn range(magnitude: u64) -> usize {
     }
 }
 
-/// The context of an expected magnitude: 0 for 0, then two for each power of two.
+/// Returns the context of an expected magnitude: 0 for 0, then two for each power of two.
 #[inline(always)]
 fn level(expected: u64) -> usize {
     if expected == 0 {
@@ -92,13 +92,14 @@ fn level(expected: u64) -> usize {
     1 + 2 * log as usize + half as usize
 }
 
-/// The number of low bits that are nearly uniform at a level: the rest has a mean of about 3 to 6.
+/// Returns the number of low bits that are nearly uniform at a level: the rest has a mean of about
+/// 3 to 6.
 #[inline(always)]
 fn shift(level: usize) -> u32 {
     ((level.max(1) - 1) as u32 / 2).saturating_sub(5)
 }
 
-/// The prior weights of a level: a two-sided geometric distribution of its mean magnitude.
+/// Returns the prior weights of a level: a two-sided geometric distribution of its mean magnitude.
 fn geometric(level: usize) -> [f64; SYMBOLS] {
     let log = (level.max(1) - 1) as u32 / 2;
     let start = if log < 63 { (1u64 << log) as f64 } else { 9.3e18 };

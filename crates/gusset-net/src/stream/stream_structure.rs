@@ -47,7 +47,7 @@ pub(super) fn read(shape: Shape, mut limit: u64, mut from: Reader<'_>) -> Result
     Ok((topology, bridges))
 }
 
-/// The number of nodes and pairs of seams, which bounds the time to read a topology.
+/// Returns the number of nodes and pairs of seams, which bounds the time to read a topology.
 fn work(topology: &Topology) -> u64 {
     topology.shape().node_count() as u64 + topology.seams().iter().map(|seam| u64::from(seam.count)).sum::<u64>()
 }
@@ -177,7 +177,7 @@ fn read_shape(from: &mut Reader<'_>) -> Result<Shape> {
     Shape::new(rows as usize, columns as usize).map_err(|_| from.bad("the size is impossible for a net"))
 }
 
-/// A list preceded by its length.
+/// Reads a list preceded by its length.
 fn read_list<T>(from: &mut Reader<'_>, mut read: impl FnMut(&mut Reader<'_>) -> Result<T>) -> Result<Vec<T>> {
     let count = from.varint()?;
     // Every entry takes at least a byte.

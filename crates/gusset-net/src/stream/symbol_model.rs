@@ -30,7 +30,7 @@ pub(super) struct Model<const N: usize> {
 }
 
 impl<const N: usize> Model<N> {
-    /// A model with prior weights, not all zero.
+    /// Returns a model with prior weights, not all zero.
     pub(super) fn new(weights: [f64; N]) -> Self {
         let sum: f64 = weights.iter().sum();
         let counts = weights.map(|weight| (PRIOR_WEIGHT * N as f64 * weight / sum) as u16 + 1);
@@ -71,7 +71,7 @@ impl<const N: usize> Model<N> {
         if symbol + 1 < N { self.lower[symbol + 1].into() } else { TOTAL }
     }
 
-    /// The probability of a symbol.
+    /// Returns the probability of a symbol.
     #[inline(always)]
     pub(super) fn width(&self, symbol: usize) -> NonZeroU32 {
         // At least 1; the other branch is never taken.

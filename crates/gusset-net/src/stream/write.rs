@@ -27,7 +27,7 @@ pub struct StreamOptions {
 }
 
 impl StreamOptions {
-    /// The defaults of a mode.
+    /// Returns the defaults of a mode.
     pub fn new(mode: Mode) -> Self {
         StreamOptions { mode, per_axis: false, rows_per_block: 0 }
     }
@@ -103,7 +103,7 @@ fn compress<T: Bits, L: Levels<T> + Copy>(
     in_parallel(info, &job.part(0.1, 1.0), |info, block| Blocks { info, planes, duplicates, levels }.encode(block))
 }
 
-/// The coordinates of the first missing node; NaN if there is none.
+/// Returns the coordinates of the first missing node; NaN if there is none.
 fn first_gap<T: Bits>(planes: &Planes<'_, T>) -> [T; 3] {
     let (h, w) = (planes.shape().rows(), planes.shape().columns());
     let mut nodes = (0..h).flat_map(|i| (0..w).map(move |j| (i, j)));

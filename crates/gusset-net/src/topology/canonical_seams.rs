@@ -17,7 +17,7 @@ use gusset_base::sort;
 /// Rows and columns from one node to the next.
 type Step = (i64, i64);
 
-/// The seams that glue the components of each class. `table` has the representatives of the
+/// Returns the seams that glue the components of each class. `table` has the representatives of the
 /// classes, `pieces` the representatives of the components under contracted links alone.
 pub(super) fn seams(shape: Shape, table: &[u32], pieces: &[u32]) -> Result<Vec<Seam>> {
     let nodes = (0..).zip(table).zip(pieces).filter(|&((node, &class), &piece)| piece == node && class != node);
@@ -57,7 +57,8 @@ struct RunSearch<'a> {
 }
 
 impl RunSearch<'_> {
-    /// The longest run through pair `k`, in the first of the directions that reach it, extended.
+    /// Returns the longest run through pair `k`, in the first of the directions that reach it,
+    /// extended.
     fn longest_through(&mut self, k: usize) -> Seam {
         let mut best = ([(0, 0); 2], [0, 0]);
         for steps in directions() {
@@ -69,7 +70,7 @@ impl RunSearch<'_> {
         let (steps, [mut before, mut after]) = best;
         let pair = self.pairs[k];
         for at in -before..=after {
-            if let Some(index) = self.moved(pair, steps, at).and_then(|pair| self.index(pair)) {
+            if let Some(index) = self.pair_after(pair, steps, at).and_then(|pair| self.index(pair)) {
                 self.seen[index] = USED;
             }
         }
@@ -77,7 +78,7 @@ impl RunSearch<'_> {
             after += self.glued_pairs_after(pair, steps, after, 1);
             before += self.glued_pairs_after(pair, steps, -before, -1);
         }
-        let [a, b] = self.moved(pair, steps, -before).unwrap_or(pair);
+        let [a, b] = self.pair_after(pair, steps, -before).unwrap_or(pair);
         let run = |node: u32, (row_step, column_step): Step| {
             let (i, j) = self.shape.place(node);
             Run { row: i as u32, column: j as u32, row_step: row_step as i32, column_step: column_step as i32 }
@@ -85,15 +86,15 @@ impl RunSearch<'_> {
         Seam { a: run(a, steps[0]), b: run(b, steps[1]), count: (before + after + 1) as u32 }.canonical()
     }
 
-    /// The number of consecutive unused pairs before pair `k` and after it. A fold meets itself in
-    /// the middle.
+    /// Returns the number of consecutive unused pairs before pair `k` and after it. A fold meets
+    /// itself in the middle.
     fn free_pairs(&mut self, k: usize, steps: [Step; 2]) -> [i64; 2] {
         self.trial += 1;
         self.seen[k] = self.trial;
         [-1, 1].map(|sense| {
             let mut count = 0;
             while let Some(index) =
-                self.moved(self.pairs[k], steps, sense * (count + 1)).and_then(|pair| self.index(pair))
+                self.pair_after(self.pairs[k], steps, sense * (count + 1)).and_then(|pair| self.index(pair))
                 && self.seen[index] != USED
                 && self.seen[index] != self.trial
             {
@@ -104,21 +105,22 @@ impl RunSearch<'_> {
         })
     }
 
-    /// The number of consecutive pairs beyond `end` that are identified, but not by links alone.
+    /// Returns the number of consecutive pairs beyond `end` that are identified, but not by links
+    /// alone.
     fn glued_pairs_after(&self, pair: [u32; 2], steps: [Step; 2], end: i64, sense: i64) -> i64 {
         let is_glued = |&[a, b]: &[u32; 2]| {
             let ([p, q], [r, s]) = ([a, b].map(|n| self.table[n as usize]), [a, b].map(|n| self.pieces[n as usize]));
             p == q && r != s
         };
-        let at = |count: i64| self.moved(pair, steps, end + sense * count);
+        let at = |count: i64| self.pair_after(pair, steps, end + sense * count);
         // Beyond the middle of a fold the same pairs follow, exchanged.
         let turned = |count: i64| at(count - 1).map(|[a, b]| [b, a]);
         (1..).take_while(|&count| at(count).filter(is_glued).is_some_and(|pair| Some(pair) != turned(count))).count()
             as i64
     }
 
-    /// The pair `count` steps from a pair.
-    fn moved(&self, pair: [u32; 2], steps: [Step; 2], count: i64) -> Option<[u32; 2]> {
+    /// Returns the pair `count` steps from a pair.
+    fn pair_after(&self, pair: [u32; 2], steps: [Step; 2], count: i64) -> Option<[u32; 2]> {
         let node = |k: usize| {
             let (i, j) = self.shape.place(pair[k]);
             let (i, j) = (i as i64 + count * steps[k].0, j as i64 + count * steps[k].1);

@@ -41,7 +41,7 @@ impl Reduced {
         }
     }
 
-    /// The corners of the polygon, if it has at least three.
+    /// Returns the corners of the polygon, if it has at least three.
     pub fn polygon(&self) -> Option<&[u32]> {
         match self {
             Reduced::Quad(corners) => Some(corners),

@@ -28,8 +28,8 @@ enum ClassMap {
 }
 
 impl Classes {
-    /// The classes of a topology. O(1) if its sides describe it; otherwise O(nodes + contracted
-    /// links), and 4 bytes a node.
+    /// Returns the classes of a topology. O(1) if its sides describe it; otherwise O(nodes +
+    /// contracted links), and 4 bytes a node.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
@@ -58,12 +58,12 @@ impl Classes {
         Ok(Classes { shape, map: ClassMap::Table(sets.into_roots(&job.part(0.8, 1.0), stage)?) })
     }
 
-    /// The size of the net.
+    /// Returns the size of the net.
     pub fn shape(&self) -> Shape {
         self.shape
     }
 
-    /// The smallest node of the class of a node.
+    /// Returns the smallest node of the class of a node.
     #[inline]
     pub fn representative(&self, node: u32) -> u32 {
         match &self.map {
@@ -75,7 +75,7 @@ impl Classes {
         }
     }
 
-    /// The representatives of the corners of the cell at (i, j).
+    /// Returns the representatives of the corners of the cell at (i, j).
     #[inline]
     pub fn corners(&self, i: usize, j: usize) -> [u32; 4] {
         match &self.map {
@@ -91,7 +91,7 @@ impl Classes {
         self.representative(a) == self.representative(b)
     }
 
-    /// The representative of every node.
+    /// Returns the representative of every node.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
@@ -136,7 +136,7 @@ impl Classes {
         }
     }
 
-    /// The classes of at least two nodes, in the order of their representatives.
+    /// Returns the classes of at least two nodes, in the order of their representatives.
     ///
     /// O(H + W) for sides alone, else O(nodes), and a sort of the glued nodes.
     ///
@@ -164,7 +164,7 @@ pub struct Groups {
 }
 
 impl Groups {
-    /// The number of classes.
+    /// Returns the number of classes.
     pub fn len(&self) -> usize {
         self.offsets.len() - 1
     }
@@ -179,17 +179,17 @@ impl Groups {
         &self.nodes[self.offsets[k] as usize..self.offsets[k + 1] as usize]
     }
 
-    /// All classes.
+    /// Returns all classes.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
         (0..self.len()).map(|k| self.get(k))
     }
 
-    /// The start of each class among the nodes; one entry more than there are classes.
+    /// Returns the start of each class among the nodes; one entry more than there are classes.
     pub fn offsets(&self) -> &[u32] {
         &self.offsets
     }
 
-    /// The nodes of all classes, one class after the other.
+    /// Returns the nodes of all classes, one class after the other.
     pub fn nodes(&self) -> &[u32] {
         &self.nodes
     }

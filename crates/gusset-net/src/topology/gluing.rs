@@ -55,7 +55,7 @@ pub enum Gluing {
 }
 
 impl Gluing {
-    /// The gluing of a given type at a node (types 0 to 12) or a cell (types 13 to 17).
+    /// Returns the gluing of a given type at a node (types 0 to 12) or a cell (types 13 to 17).
     /// [`classify_node`](super::classify_node) or [`classify_cell`](super::classify_cell) returns
     /// that type there, if the surroundings are not glued.
     pub fn from_type(kind: GluingType, at: u32) -> Self {
@@ -95,7 +95,7 @@ impl Gluing {
             }
             Gluing::CellDiagonal { cell, diagonal } => {
                 let (i, j) = shape.checked_cell_place(cell)?;
-                let corner = Run::at;
+                let corner = Run::stationary;
                 seam(match diagonal {
                     CellDiagonal::Falling => Seam { a: corner(i, j), b: corner(i + 1, j + 1), count: 1 },
                     CellDiagonal::Rising => Seam { a: corner(i, j + 1), b: corner(i + 1, j), count: 1 },
@@ -110,7 +110,7 @@ impl Gluing {
 }
 
 impl Topology {
-    /// The topology with more nodes glued. O(nodes + pairs of seams).
+    /// Returns the topology with more nodes glued. O(nodes + pairs of seams).
     ///
     /// # Errors
     /// [`Error::NoSuch`], [`Error::OptionOutOfRange`] (a mask above 15), [`Error::BadSeam`] (its

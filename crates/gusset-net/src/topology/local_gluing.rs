@@ -41,48 +41,48 @@ impl GluingType {
     /// The number of types.
     pub const COUNT: usize = 18;
 
-    /// The type of an entry of the tables.
+    /// Returns the type of an entry of the tables.
     fn from_entry(number: u8) -> Option<Self> {
         (number != NO_TYPE).then_some(GluingType(number))
     }
 
-    /// The type of a number; `None` above 17.
+    /// Returns the type of a number; `None` above 17.
     pub fn from_number(number: u32) -> Option<Self> {
         u8::try_from(number).ok().filter(|&n| usize::from(n) < Self::COUNT).map(GluingType)
     }
 
-    /// The links of a star that form this type: see [`Gluing::Star`](super::Gluing::Star). `None`
-    /// above 12.
+    /// Returns the links of a star that form this type: see [`Gluing::Star`](super::Gluing::Star).
+    /// `None` above 12.
     pub(super) fn star_mask(self) -> Option<u8> {
         (0..16u8).find(|&mask| TYPE_OF_STAR[usize::from(mask)] == self.0)
     }
 
-    /// The links of a cell that form this type; `None` for diagonals.
+    /// Returns the links of a cell that form this type; `None` for diagonals.
     pub(super) fn cell_mask(self) -> Option<u8> {
         (0..16u8).find(|&mask| TYPE_OF_CELL[usize::from(mask)] == self.0)
     }
 
-    /// The number, 0 to 17.
+    /// Returns the number, 0 to 17.
     pub fn number(self) -> usize {
         self.0.into()
     }
 }
 
-/// The links of node (i, j): east, south, west, north, round the sides of the net.
+/// Returns the links of node (i, j): east, south, west, north, round the sides of the net.
 pub(crate) fn star_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
     let (h, w) = (shape.rows(), shape.columns());
     let here = shape.horizontal_link(i, j);
     [here, here + 1, shape.horizontal_link(i, (j + w - 1) % w), shape.vertical_link((i + h - 1) % h, j)]
 }
 
-/// The links of the cell at (i, j): top, right, bottom, left.
+/// Returns the links of the cell at (i, j): top, right, bottom, left.
 pub(super) fn cell_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
     let [a, b, _, d] = shape.corners(i, j);
     [2 * a, 2 * b + 1, 2 * d, 2 * a + 1]
 }
 
-/// The type of the star of node (i, j) by its contracted links. If `cyclic`, closing links to the
-/// first row and column count too. Returns `None` if no link is contracted.
+/// Returns the type of the star of node (i, j) by its contracted links. If `cyclic`, closing links
+/// to the first row and column count too. Returns `None` if no link is contracted.
 pub fn classify_node(classes: &Classes, i: usize, j: usize, cyclic: bool) -> Option<GluingType> {
     let shape = classes.shape();
     let there = [j + 1 < shape.columns(), i + 1 < shape.rows(), j > 0, i > 0];
@@ -91,7 +91,7 @@ pub fn classify_node(classes: &Classes, i: usize, j: usize, cyclic: bool) -> Opt
     GluingType::from_entry(TYPE_OF_STAR[set.fold(0, |mask, k| mask | 1 << k)])
 }
 
-/// The type of the cell at (i, j); `None` if it is a quad.
+/// Returns the type of the cell at (i, j); `None` if it is a quad.
 pub fn classify_cell(classes: &Classes, i: usize, j: usize) -> Option<GluingType> {
     let [a, b, c, d] = classes.corners(i, j);
     let mask = usize::from(a == b) | usize::from(b == c) << 1 | usize::from(c == d) << 2 | usize::from(d == a) << 3;

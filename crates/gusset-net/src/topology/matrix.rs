@@ -74,7 +74,7 @@ impl Matrix {
         if contracted { *word |= bit } else { *word &= !bit }
     }
 
-    /// The contracted links, in order.
+    /// Returns the contracted links, in order.
     pub fn links(&self) -> impl Iterator<Item = u32> {
         set_bits(&self.words, 0)
     }
@@ -90,7 +90,7 @@ impl Matrix {
         }
     }
 
-    /// The contracted links in a range, in order.
+    /// Returns the contracted links in a range, in order.
     pub(crate) fn links_in(&self, range: Range<u32>) -> impl Iterator<Item = u32> {
         let words = range.start as usize / WORD..(range.end as usize).div_ceil(WORD);
         let first = words.start;
@@ -99,12 +99,12 @@ impl Matrix {
             .take_while(move |&l| l < range.end)
     }
 
-    /// The two bits of a node: 1 for its horizontal link, 2 for its vertical one.
+    /// Returns the two bits of a node: 1 for its horizontal link, 2 for its vertical one.
     pub(super) fn pair(&self, node: usize) -> usize {
         (self.words[2 * node / WORD] >> (2 * node % WORD)) as usize & 3
     }
 
-    /// The 64 bits from `from` on; zeros after the end.
+    /// Returns the 64 bits from `from` on; zeros after the end.
     pub(super) fn bits(&self, from: usize) -> u64 {
         let (word, shift) = (from / WORD, from % WORD);
         let next = self.words.get(word + 1).map_or(0, |&next| next << 1 << (WORD - 1 - shift));
@@ -143,7 +143,7 @@ impl Matrix {
         }
     }
 
-    /// A copy.
+    /// Returns a copy.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -151,7 +151,7 @@ impl Matrix {
         Ok(Matrix { words: alloc::copied(&self.words)? })
     }
 
-    /// The sides that contract the same links, if they exist.
+    /// Returns the sides that contract the same links, if they exist.
     pub(super) fn as_sides(&self, shape: Shape) -> Option<Sides> {
         let (h, w) = (shape.rows(), shape.columns());
         let sides = Sides {
@@ -172,7 +172,7 @@ impl Matrix {
         (all && expected == ones).then_some(sides)
     }
 
-    /// The bytes of [`Matrix::from_bytes`].
+    /// Returns the bytes of [`Matrix::from_bytes`].
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -183,7 +183,7 @@ impl Matrix {
     }
 }
 
-/// The set bits of words, the first of which is word number `first`.
+/// Returns the set bits of words, the first of which is word number `first`.
 fn set_bits(words: &[u64], first: usize) -> impl Iterator<Item = u32> {
     words.iter().zip(first..).flat_map(|(&word, at)| {
         std::iter::successors((word != 0).then_some(word), |&w| Some(w & (w - 1)).filter(|&rest| rest != 0))

@@ -71,10 +71,10 @@ impl Topology {
         Ok(Some(topology))
     }
 
-    /// The canonical form: every link whose ends belong to one class is contracted, and seams
-    /// express the rest. It depends only on the classes and the face orientation: two topologies of
-    /// equal size that agree in both have equal canonical forms. O(nodes), plus a sort of the
-    /// classes that seams glue.
+    /// Returns the canonical form: every link whose ends belong to one class is contracted, and
+    /// seams express the rest. It depends only on the classes and the face orientation: two
+    /// topologies of equal size that agree in both have equal canonical forms. O(nodes), plus a
+    /// sort of the classes that seams glue.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].

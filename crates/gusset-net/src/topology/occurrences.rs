@@ -28,7 +28,7 @@ pub struct Signature {
 }
 
 impl GluingType {
-    /// The letters and orders of the type at a node; `None` for those that only cells have.
+    /// Returns the letters and orders of the type at a node; `None` for those that only cells have.
     pub fn node_signature(self) -> Option<Signature> {
         let [a, b, link_order] = match self.number() {
             0 | 1 => [1, 0, 1],
@@ -41,7 +41,7 @@ impl GluingType {
         Some(Signature { a, b: (b > 0).then_some(b), node_order: a + 1, link_order })
     }
 
-    /// The letters and orders of the type of a cell; `None` for those that only nodes have.
+    /// Returns the letters and orders of the type of a cell; `None` for those that only nodes have.
     pub fn cell_signature(self) -> Option<Signature> {
         let (a, b, node_order, link_order) = match self.number() {
             0 | 1 => (1, None, 2, 1),
@@ -71,8 +71,8 @@ pub struct Occurrence {
     pub class_size: u32,
 }
 
-/// All local gluings of a net: of its nodes, in order, then of its cells. If `cyclic`, closing
-/// links to the first row and column count too. O(nodes), 4 bytes a node plus the result.
+/// Returns all local gluings of a net: of its nodes, in order, then of its cells. If `cyclic`,
+/// closing links to the first row and column count too. O(nodes), 4 bytes a node plus the result.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),

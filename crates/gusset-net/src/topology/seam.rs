@@ -23,22 +23,22 @@ pub struct Run {
 }
 
 impl Run {
-    /// A run that stays at node (i, j).
-    pub fn at(i: usize, j: usize) -> Self {
+    /// Returns a run that stays at node (i, j).
+    pub fn stationary(i: usize, j: usize) -> Self {
         Run::along_row(i as u32, j as u32, 0)
     }
 
-    /// A run along a row (step 1) or against it (step -1).
+    /// Returns a run along a row (step 1) or against it (step -1).
     pub fn along_row(row: u32, column: u32, step: i32) -> Self {
         Run { row, column, row_step: 0, column_step: step }
     }
 
-    /// A run along a column (step 1) or against it (step -1).
+    /// Returns a run along a column (step 1) or against it (step -1).
     pub fn along_column(row: u32, column: u32, step: i32) -> Self {
         Run { row, column, row_step: step, column_step: 0 }
     }
 
-    /// Row and column of node `k`, which may lie outside the net.
+    /// Returns row and column of node `k`, which may lie outside the net.
     pub(crate) fn place(&self, k: u32) -> (i64, i64) {
         let k = i64::from(k);
         (i64::from(self.row) + k * i64::from(self.row_step), i64::from(self.column) + k * i64::from(self.column_step))
@@ -56,7 +56,7 @@ impl Run {
         Run { row: self.column, column: self.row, row_step: self.column_step, column_step: self.row_step }
     }
 
-    /// The first `count` nodes in reverse order.
+    /// Returns the first `count` nodes in reverse order.
     fn reversed(self, count: u32) -> Self {
         let (row, column) = self.place(count - 1);
         let (row_step, column_step) = (-self.row_step, -self.column_step);
@@ -115,7 +115,7 @@ impl Seam {
         })
     }
 
-    /// The smallest of the spellings of this seam: either run first, in either direction.
+    /// Returns the smallest of the spellings of this seam: either run first, in either direction.
     pub(crate) fn canonical(self) -> Self {
         let Seam { mut a, mut b, count } = self;
         if count == 1 {
@@ -125,13 +125,13 @@ impl Seam {
         spellings.into_iter().min().unwrap_or(self)
     }
 
-    /// The four spellings: unchanged, with the runs exchanged, and both in reverse.
+    /// Returns the four spellings: unchanged, with the runs exchanged, and both in reverse.
     pub(crate) fn spellings(self) -> [Self; 4] {
         let reversed = self.reversed();
         [self, self.exchanged(), reversed, reversed.exchanged()]
     }
 
-    /// The same pairs in reverse order.
+    /// Returns the same pairs in reverse order.
     pub(crate) fn reversed(self) -> Self {
         Seam { a: self.a.reversed(self.count), b: self.b.reversed(self.count), count: self.count }
     }
@@ -140,7 +140,7 @@ impl Seam {
         Seam { a: self.b, b: self.a, count: self.count }
     }
 
-    /// The pairs `from..to`, a non-empty range.
+    /// Returns the pairs `from..to`, a non-empty range.
     pub(super) fn part(self, from: u32, to: u32) -> Self {
         let at = |run: Run| {
             let (row, column) = run.place(from);
@@ -149,7 +149,7 @@ impl Seam {
         Seam { a: at(self.a), b: at(self.b), count: to - from }
     }
 
-    /// The pairs of nodes.
+    /// Returns the pairs of nodes.
     pub fn pairs(self, shape: Shape) -> impl ExactSizeIterator<Item = [u32; 2]> {
         (0..self.count).map(move |k| [self.a.node(shape, k), self.b.node(shape, k)])
     }

@@ -70,7 +70,7 @@ impl Sides {
         }
     }
 
-    /// The contracted links, each once, only at the sides: O(H + W) of them.
+    /// Returns the contracted links, each once, only at the sides: O(H + W) of them.
     pub(crate) fn links(self, shape: Shape) -> impl Iterator<Item = u32> {
         let (h, w) = (shape.rows(), shape.columns());
         let when = |condition: bool, count: usize| 0..if condition { count } else { 0 };

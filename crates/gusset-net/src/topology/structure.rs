@@ -24,7 +24,7 @@ impl Links {
         }
     }
 
-    /// The links as a matrix.
+    /// Returns the links as a matrix.
     pub(crate) fn into_matrix(self, shape: Shape) -> Result<Matrix> {
         match self {
             Links::Sides(sides) => Matrix::from_sides(shape, sides),
@@ -54,7 +54,7 @@ impl Topology {
         Topology { shape, links: Links::Sides(sides), seams: Vec::new(), reversed: false }
     }
 
-    /// A copy.
+    /// Returns a copy.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
@@ -75,7 +75,7 @@ impl Topology {
         Topology { shape, links: links.normal(shape), seams, reversed }
     }
 
-    /// The links that are contracted by name, in no particular order.
+    /// Returns the links that are contracted by name, in no particular order.
     pub(crate) fn contracted(&self) -> impl Iterator<Item = u32> {
         let (sides, matrix) = match &self.links {
             Links::Sides(sides) => (Some(sides.links(self.shape)), None),
@@ -84,17 +84,17 @@ impl Topology {
         sides.into_iter().flatten().chain(matrix.into_iter().flatten())
     }
 
-    /// The size of the net.
+    /// Returns the size of the net.
     pub fn shape(&self) -> Shape {
         self.shape
     }
 
-    /// The contracted links.
+    /// Returns the contracted links.
     pub fn links(&self) -> &Links {
         &self.links
     }
 
-    /// The sides, if they express all contracted links.
+    /// Returns the sides, if they express all contracted links.
     pub fn sides(&self) -> Option<Sides> {
         match self.links {
             Links::Sides(sides) => Some(sides),
@@ -102,7 +102,7 @@ impl Topology {
         }
     }
 
-    /// The seams, in order.
+    /// Returns the seams, in order.
     pub fn seams(&self) -> &[Seam] {
         &self.seams
     }
@@ -113,7 +113,7 @@ impl Topology {
         self.reversed
     }
 
-    /// The same topology with the given face orientation.
+    /// Returns the same topology with the given face orientation.
     #[must_use]
     pub fn with_reversed(self, reversed: bool) -> Self {
         Topology { reversed, ..self }
@@ -129,7 +129,7 @@ impl Topology {
         }
     }
 
-    /// The characteristic matrix.
+    /// Returns the characteristic matrix.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).

@@ -59,7 +59,7 @@ impl Affine {
         Self::from_parts(DMat3::from_cols(x, y, z).transpose(), displacement)
     }
 
-    /// The paper's T(c): a translation.
+    /// Returns the paper's T(c): a translation.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] if a number is not finite; likewise for all functions below.
@@ -67,8 +67,8 @@ impl Affine {
         Self::from_parts(DMat3::IDENTITY, by)
     }
 
-    /// The paper's R(V, alpha), Rodrigues' formula, about the axis through `pivot` (the origin in
-    /// the paper). The axis need not be a unit vector. `angle` is in radians.
+    /// Returns the paper's R(V, alpha), Rodrigues' formula, about the axis through `pivot` (the
+    /// origin in the paper). The axis need not be a unit vector. `angle` is in radians.
     ///
     /// # Errors
     /// Also [`Error::OptionOutOfRange`] if the axis is zero.
@@ -87,7 +87,8 @@ impl Affine {
         Self::from_parts(linear, pivot - linear * pivot)
     }
 
-    /// The paper's S(k): scales distances from the origin by `ratio`. Negative ratios mirror.
+    /// Returns the paper's S(k): scales distances from the origin by `ratio`. Negative ratios
+    /// mirror.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`].
@@ -95,8 +96,8 @@ impl Affine {
         Self::stretching(DVec3::splat(ratio))
     }
 
-    /// The paper's C(k): scales distances from a coordinate axis by `ratio`. Points on the axis
-    /// stay, and distances along the axis are kept.
+    /// Returns the paper's C(k): scales distances from a coordinate axis by `ratio`. Points on the
+    /// axis stay, and distances along the axis are kept.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`].
@@ -120,7 +121,7 @@ impl Affine {
         Ok(map)
     }
 
-    /// The composition: this map, then another.
+    /// Returns the composition: this map, then another.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] if the product overflows.
@@ -129,12 +130,12 @@ impl Affine {
         Self::from_parts(matrix3, translation)
     }
 
-    /// The rows.
+    /// Returns the rows.
     pub fn rows(&self) -> [[f64; 4]; 3] {
         [0, 1, 2].map(|k| self.0.matrix3.row(k).extend(self.0.translation[k]).to_array())
     }
 
-    /// The ratio of volumes; negative if the map mirrors.
+    /// Returns the ratio of volumes; negative if the map mirrors.
     pub fn determinant(&self) -> f64 {
         self.0.matrix3.determinant()
     }
@@ -145,7 +146,7 @@ impl Affine {
         mirrors(self.0.matrix3)
     }
 
-    /// The image of a point.
+    /// Returns the image of a point.
     pub fn apply(&self, point: DVec3) -> DVec3 {
         self.0.transform_point3(point)
     }

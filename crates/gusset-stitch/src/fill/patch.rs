@@ -228,7 +228,7 @@ fn on_triangles(rim: &[DVec3], triangles: &[[u32; 3]], points: &[DVec3], job: &J
 
 fn is_near(rim: &Rim, points: &[DVec3]) -> bool {
     let room = neighbourhood(&rim.points[..rim.count]);
-    points.iter().all(|&p| room.outside(p) == DVec3::ZERO)
+    points.iter().all(|&p| room.axis_distances(p) == DVec3::ZERO)
 }
 
 /// Returns the box that no patch leaves.

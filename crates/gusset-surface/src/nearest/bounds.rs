@@ -32,7 +32,7 @@ pub(super) fn lower_bound<const N: usize>(
 impl<const N: usize> Patch<N> {
     /// The box bound.
     pub(super) fn box_distance(&self, query: DVec3) -> f64 {
-        Aabb::from_points(self.points.as_flattened()).outside(query).length()
+        Aabb::from_points(self.points.as_flattened()).axis_distances(query).length()
     }
 
     /// The half-space bound. `direction` is a unit vector or zero. The best one points from the

@@ -71,7 +71,7 @@ pub fn evaluate<T: Coefficient, const N: usize>(c: &[T; N], t: f64) -> T {
     work[0]
 }
 
-/// The value and the first derivative at t.
+/// Returns the value and the first derivative at t.
 #[inline(always)]
 pub fn evaluate_with_slope<T, const N: usize>(c: &[T; N], t: f64) -> [T; 2]
 where
@@ -84,8 +84,8 @@ where
     [work[0], slope]
 }
 
-/// The value and the first derivative at t. It blends by x + t (y - x), which is cheaper than (1 -
-/// t) x + t y but may miss y at t = 1.
+/// Returns the value and the first derivative at t. It blends by x + t (y - x), which is cheaper
+/// than (1 - t) x + t y but may miss y at t = 1.
 #[inline(always)]
 pub fn value_and_slope_by_differences<const N: usize>(c: &[f64; N], t: f64) -> [f64; 2] {
     let mut work = *c;
@@ -167,9 +167,9 @@ pub fn derive<T: Copy + Sub<Output = T> + Mul<f64, Output = T>>(c: &mut [T]) -> 
     n
 }
 
-/// The blossom (Ramshaw 1987): the symmetric multi-affine function that equals the polynomial if
-/// all arguments are equal. It takes one argument for each degree. Exact where the arguments are 0
-/// and 1.
+/// Returns the blossom (Ramshaw 1987): the symmetric multi-affine function that equals the
+/// polynomial if all arguments are equal. It takes one argument for each degree. Exact where the
+/// arguments are 0 and 1.
 #[inline(always)]
 pub fn blossom<T: Coefficient, const N: usize>(c: &[T; N], arguments: impl IntoIterator<Item = f64>) -> T {
     let mut work = *c;
@@ -198,7 +198,7 @@ fn raise_basis(values: &mut [f64], t: f64) {
     values[0] *= 1.0 - t;
 }
 
-/// The Bernstein polynomials of degree N - 1 >= 1 at t, and their derivatives.
+/// Returns the Bernstein polynomials of degree N - 1 >= 1 at t, and their derivatives.
 #[inline(always)]
 pub fn basis_with_slopes<const N: usize>(t: f64) -> [[f64; N]; 2] {
     let (mut values, mut slopes) = ([0.0; N], [0.0; N]);

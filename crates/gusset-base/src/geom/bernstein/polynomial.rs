@@ -8,8 +8,8 @@ pub const MAX_DEGREE: usize = 64;
 /// degree 2 n - 1.
 pub const MAX_COEFFICIENTS: usize = 2 * MAX_DEGREE;
 
-/// Evaluates f(t) and f'(t). The sum starts at the nearer end and follows a Horner-like scheme, so
-/// that powers do not underflow before the binomials scale them.
+/// Evaluates f(t) and f'(t) by a Horner-like scheme. It starts at the nearer end, so that the ratio
+/// x of its powers is at most 1 and the terms do not overflow.
 pub fn value_and_slope(c: &[f64], t: f64) -> (f64, f64) {
     let n = c.len() - 1;
     let backwards = t > 0.5;
@@ -33,7 +33,7 @@ pub fn value_and_slope(c: &[f64], t: f64) -> (f64, f64) {
     (value * scale * s, slope * scale * n as f64)
 }
 
-/// The binomials C(n, 0), ..., C(n, n). Exact up to 2^53, then rounded.
+/// Returns the binomials C(n, 0), ..., C(n, n). Exact up to 2^53, then rounded.
 pub(super) fn binomials(n: usize) -> impl Iterator<Item = f64> + Clone {
     (0..=n).scan(1.0, move |next, i| {
         let now: f64 = *next;
@@ -43,7 +43,7 @@ pub(super) fn binomials(n: usize) -> impl Iterator<Item = f64> + Clone {
     })
 }
 
-/// The binomials C(n, 0), ..., C(n, n), padded with zeros; n < M.
+/// Returns the binomials C(n, 0), ..., C(n, n), padded with zeros; n < M.
 pub const fn binomial_row<const M: usize>(n: usize) -> [f64; M] {
     let (mut row, mut k) = ([0.0; M], 0);
     row[0] = 1.0;
@@ -69,13 +69,13 @@ pub fn add_product(f: &[f64], g: &[f64], factor: f64, out: &mut [f64]) {
     }
 }
 
-/// The integral over 0 to 1, which is the mean of the coefficients.
+/// Returns the integral over 0 to 1, which is the mean of the coefficients.
 #[inline]
 pub fn integral(c: &[f64]) -> f64 {
     c.iter().sum::<f64>() / c.len() as f64
 }
 
-/// The integral of a product over 0 to 1.
+/// Returns the integral of a product over 0 to 1.
 #[inline]
 pub fn integral_of_product(f: &[f64], g: &[f64]) -> f64 {
     let mut product = [0.0; 4 * MAX_DEGREE + 1];
@@ -90,7 +90,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn values_products_and_halves() {
+    fn values_products_and_halves_agree_with_closed_forms() {
         // t (1 - t) and 1 - 2 t.
         let (f, g) = ([0.0, 0.5, 0.0], [1.0, -1.0]);
         assert_eq!(integral(&f), 1.0 / 6.0);

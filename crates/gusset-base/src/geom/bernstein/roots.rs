@@ -61,8 +61,8 @@ pub fn bisect<A: AsRef<[f64]> + AsMut<[f64]> + Clone>(
     }
 }
 
-/// The number of sign changes. By Descartes' rule, the number of roots in (0, 1) is at most this
-/// and differs by an even number.
+/// Returns the number of sign changes. By Descartes' rule, the number of roots in (0, 1) is at most
+/// this and differs by an even number.
 #[inline(always)]
 pub fn sign_changes(signs: impl Iterator<Item = bool>) -> usize {
     let mut last = None;
@@ -150,8 +150,9 @@ fn linear(a: f64, b: f64, noise: f64, found: &mut Roots) {
     }
 }
 
-/// The roots of a (1 - t)^2 + 2 b t (1 - t) + d t^2 in closed form. Returns false if a root is too
-/// close to an end, or two roots are too close to each other, so that the search must decide.
+/// Finds the roots of a (1 - t)^2 + 2 b t (1 - t) + d t^2 in closed form. Returns false if a root
+/// is too close to an end, or two roots are too close to each other, so that the search must
+/// decide.
 ///
 /// With A = a - 2 b + d and B = b - a, the equation is A t^2 + 2 B t + a = 0. Its roots are a / q
 /// and q / A with q = -B -+ sqrt(b^2 - a d), where the sign avoids cancellation.
@@ -238,8 +239,8 @@ impl RootIsolation<'_> {
         }
     }
 
-    /// The root of a cluster. Prefers an end of the whole interval, because the adjacent segment
-    /// finds the same root there.
+    /// Returns the root of a cluster. Prefers an end of the whole interval, because the adjacent
+    /// segment finds the same root there.
     fn centre(&self, low: f64, high: f64) -> f64 {
         if low == high || low <= 0.0 {
             return low.max(0.0);
@@ -301,7 +302,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// The polynomial with the given roots.
+    /// Returns the polynomial with the given roots.
     fn with_roots(at: &[f64]) -> Vec<f64> {
         at.iter().fold(vec![1.0], |f, &r| {
             let mut product = vec![0.0; f.len() + 1];
@@ -319,7 +320,7 @@ mod tests {
     const NOISE: f64 = 1e-14;
 
     #[test]
-    fn known_roots() {
+    fn known_roots_are_found() {
         for (given, expected, error) in [
             (&[0.5][..], &[0.5][..], 1e-16),
             (&[0.25, 0.75], &[0.25, 0.75], 1e-15),

@@ -72,7 +72,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_banded_system() {
+    fn banded_systems_are_solved() {
         // 4 on the diagonal, -1 and 0.5 beside it.
         let entry = |d: usize| [4.0, -1.0, 0.5][d];
         let wanted: Vec<f64> = (0..9).map(|i| f64::from(i * i % 7) - 2.0).collect();

@@ -85,7 +85,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_system_that_needs_exchanges() {
+    fn systems_that_need_exchanges_are_solved() {
         // Rows in an order that forces an exchange for every pivot, and a row that depends on
         // another.
         let rows = [[0.0, 2.0, 1.0, 0.1], [0.1, 1.0, 0.0, 3.0], [2.0, 0.3, 1.0, 0.0], [1.0, 0.5, 4.0, 0.2]];

@@ -170,7 +170,7 @@ mod tests {
     proptest! {
         /// Substitutes the solution into the rows, for long systems and for the shortest.
         #[test]
-        fn rows_hold(
+        fn solutions_satisfy_all_rows(
             rows in prop::collection::vec((-1.0f64..1.0, 0.1f64..3.0, -1.0f64..1.0, -9.0f64..9.0), 3..90),
         ) {
             let n = rows.len();

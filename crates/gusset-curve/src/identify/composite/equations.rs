@@ -49,22 +49,22 @@ pub(super) fn solve(sub: &Subcurve<'_>, solution: &mut Solution) -> bool {
     tridiagonal::solve(controls, upper, |i| row(t[i], joint_parameter(i - 1), joint_parameter(i)), known)
 }
 
-/// The coefficients of B_(i-1), B_i and B_(i+1) in row i, between the joints with the parameters
-/// `before` and `after`.
+/// Returns the coefficients of B_(i-1), B_i and B_(i+1) in row i, between the joints with the
+/// parameters `before` and `after`.
 #[inline]
 pub(super) fn row(t: f64, before: f64, after: f64) -> [f64; 3] {
     let s = 1.0 - t;
     row_from_weights([s * s, 2.0 * t * s, t * t], before, after)
 }
 
-/// The coefficients of [`row`], given the weights of the section's corners in its point.
+/// Returns the coefficients of [`row`], given the weights of the section's corners in its point.
 #[inline]
 pub(super) fn row_from_weights([first, middle, last]: [f64; 3], before: f64, after: f64) -> [f64; 3] {
     [first * (1.0 - before), middle + first * before + last * (1.0 - after), last * after]
 }
 
-/// The weights of J_(i-1), B_i and J_i in the point at `t` of a cubic section with the handles
-/// lambda and mu.
+/// Returns the weights of J_(i-1), B_i and J_i in the point at `t` of a cubic section with the
+/// handles lambda and mu.
 #[inline]
 pub(super) fn weights(t: f64, [lambda, mu]: [f64; 2]) -> [f64; 3] {
     let s = 1.0 - t;

@@ -41,7 +41,7 @@ pub(super) struct CompositeWorkspace {
 }
 
 impl CompositeWorkspace {
-    /// The unknowns; other kinds of curves use the lists for their own.
+    /// Returns the unknowns; other kinds of curves use the lists for their own.
     pub(super) fn solution(&mut self) -> &mut Solution {
         &mut self.lock.solution
     }

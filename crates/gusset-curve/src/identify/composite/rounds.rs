@@ -8,7 +8,7 @@ use crate::identify::subcurve::Subcurve;
 /// The rounds in which individual points fall back, before all points do.
 pub(super) const MAX_FALLBACK_ROUNDS: u32 = 3;
 
-/// The number of iterations that a round of a lock may take: half of the rest of
+/// Returns the number of iterations that a round of a lock may take: half of the rest of
 /// [`Options::max_sweeps`](super::super::Options), in the last round all of it. Continuous
 /// curvature reserves half for itself.
 pub(super) fn max_iterations(sub: &Subcurve<'_>, report: &Account, round: u32) -> u32 {

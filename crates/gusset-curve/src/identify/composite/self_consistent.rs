@@ -271,7 +271,7 @@ fn apply_map(sub: &Subcurve<'_>, solution: &mut Solution) {
     equations::solve(sub, solution);
 }
 
-/// The parameter of point `i` on its current section.
+/// Returns the parameter of point `i` on its current section.
 fn section_parameter(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> f64 {
     if solution.fell_back[i] {
         return solution.data_t[i];
@@ -280,7 +280,7 @@ fn section_parameter(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> f64 {
     parameter(sub.options, u, v).0
 }
 
-/// The parameter on the section with the joints `u` and `v`, relative to the point, and its
+/// Returns the parameter on the section with the joints `u` and `v`, relative to the point, and its
 /// gradients with respect to both.
 ///
 /// By the chords, t = a^alpha / (a^alpha + b^alpha) and dt = alpha t (1 - t) (da / a - db / b). By
@@ -320,7 +320,7 @@ fn truncate<const D: usize>(v: DVec3) -> [f64; D] {
     std::array::from_fn(|k| all[k])
 }
 
-/// The inverse of a matrix of 2 or 3 rows, by its adjugate.
+/// Returns the inverse of a matrix of 2 or 3 rows, by its adjugate.
 #[inline(always)]
 fn inverse<const D: usize>(m: &[[f64; D]; D]) -> Option<[[f64; D]; D]> {
     let mut adjoint = [[0.0; D]; D];

@@ -188,7 +188,8 @@ fn place(
     Ok(placed.is_finite())
 }
 
-/// The parameter at which the section crosses the guide of its point; `None` if it does not.
+/// Returns the parameter at which the section crosses the guide of its point; `None` if it does
+/// not.
 fn crossing(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> Option<f64> {
     let guide = solution.guides[i];
     let (before, after) = (sub.previous(i), sub.next(i));

@@ -53,7 +53,7 @@ impl Collocation {
         alloc::reset(&mut self.previous_t, degree + 1, 0.0)
     }
 
-    /// The number of points between the ends.
+    /// Returns the number of points between the ends.
     pub(super) fn inner(&self) -> usize {
         self.points.len() - 2
     }
@@ -62,7 +62,7 @@ impl Collocation {
         self.controls.len() - 1
     }
 
-    /// The indices of the control points that belong to the points between the ends.
+    /// Returns the indices of the control points that belong to the points between the ends.
     pub(super) fn inner_range(&self) -> Range<usize> {
         let first = 1 + usize::from(self.tangents[0]);
         first..first + self.inner()
@@ -151,18 +151,18 @@ impl Collocation {
         Ok(())
     }
 
-    /// The largest distance of a control point from its point.
+    /// Returns the largest distance of a control point from its point.
     pub(super) fn farthest_control(&self) -> f64 {
         let pairs = self.controls[self.inner_range()].iter().zip(&self.points[1..]);
         pairs.map(|(control, &p)| control.distance(p)).fold(0.0, f64::max).min(1e300)
     }
 
-    /// The distance of a point from its place on the curve.
+    /// Returns the distance of a point from its place on the curve.
     pub(super) fn distance(&self, i: usize) -> f64 {
         segment::point(&self.controls, self.t[i]).distance(self.points[i])
     }
 
-    /// The largest residual, and the sum of squared residuals.
+    /// Returns the largest residual, and the sum of squared residuals.
     pub(super) fn residual(&self) -> (f64, f64) {
         let (mut farthest, mut sum) = (0.0f64, 0.0);
         for i in 1..=self.inner() {

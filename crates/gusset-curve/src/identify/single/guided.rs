@@ -80,9 +80,9 @@ impl Collocation {
         self.t.windows(2).all(|pair| pair[0] < pair[1])
     }
 
-    /// The paper's sweeps. With the normal of the plane, control points move along the guides;
-    /// otherwise along the deviations, for the current parameters. Returns true if the sweeps
-    /// converge.
+    /// Runs the paper's sweeps. With the normal of the plane, control points move along the
+    /// guides; otherwise along the deviations, for the current parameters. Returns true if the
+    /// sweeps converge.
     fn sweep(&mut self, sub: &Subcurve<'_>, normal: Option<DVec3>, count: u32, out: &mut Output<'_>) -> Result<bool> {
         let (report, job) = (&mut *out.report, out.job);
         let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
@@ -126,8 +126,8 @@ impl Collocation {
         Ok(false)
     }
 
-    /// The place nearest `from` where the curve crosses the line through a point with a given
-    /// normal.
+    /// Returns the place nearest `from` where the curve crosses the line through a point with a
+    /// given normal.
     fn crossing(&self, p: DVec3, across: DVec3, from: f64) -> Option<f64> {
         let f = |t: f64| across.dot(segment::point(&self.controls, t) - p);
         let start = f(from);
@@ -250,8 +250,8 @@ fn flag_unconverged(out: &mut Output<'_>) {
     out.flag_all(PointStatus::NotConverged);
 }
 
-/// The root of a function between two places where it has opposite signs, to the last bits. Uses
-/// regula falsi with the Illinois rule, which halves the value at an end that stays.
+/// Returns the root of a function between two places where it has opposite signs, to the last bits.
+/// Uses regula falsi with the Illinois rule, which halves the value at an end that stays.
 fn root(f: impl Fn(f64) -> f64, a: (f64, f64), b: (f64, f64)) -> f64 {
     let ((mut x, mut fx), (mut y, mut fy)) = (a, b);
     for _ in 0..100 {
@@ -278,7 +278,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn roots_to_the_last_bits() {
+    fn roots_are_found_to_the_last_bits() {
         for (at, power) in [(0.3, 1), (0.9, 3), (0.123_456, 5)] {
             let f = |t: f64| (t - at) * (1.0 + t).powi(power);
             assert!((root(f, (0.0, f(0.0)), (1.0, f(1.0))) - at).abs() <= 4e-16);
@@ -286,7 +286,7 @@ mod tests {
     }
 
     #[test]
-    fn basis_functions() {
+    fn basis_functions_are_exact() {
         let mut basis = [0.0; 21];
         for t in [0.0, 0.1, 0.5, 0.97, 1.0] {
             bernstein::basis(&mut basis, t);

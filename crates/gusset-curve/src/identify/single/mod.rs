@@ -93,8 +93,8 @@ fn solve(sub: &Subcurve<'_>, collocation: &mut Collocation, out: &mut Output<'_>
     Ok((miss.is_nan() || miss > MAX_MISS * sub.size).then_some(FitStatus::IllConditioned))
 }
 
-/// The direction of a closed curve at its seam, which is the direction of the section on the first
-/// point's triangle.
+/// Returns the direction of a closed curve at its seam, which is the direction of the section on
+/// the first point's triangle.
 fn seam_tangent(sub: &Subcurve<'_>) -> DVec3 {
     let [a, p, c] = sub.triple(0);
     let section = sub.options.method.section(a, p, c).or_else(|_| Method::Bisector.section(a, p, c));
@@ -104,7 +104,7 @@ fn seam_tangent(sub: &Subcurve<'_>) -> DVec3 {
     direction.ok().and_then(DVec3::try_normalize).unwrap_or_else(|| perpendicular(c - p))
 }
 
-/// A direction perpendicular to a vector, in the plane z = 0 if the vector lies in it.
+/// Returns a direction perpendicular to a vector, in the plane z = 0 if the vector lies in it.
 fn perpendicular(v: DVec3) -> DVec3 {
     let across = if v.z == 0.0 { DVec3::new(-v.y, v.x, 0.0) } else { v.any_orthogonal_vector() };
     across.normalize_or_zero()

@@ -51,10 +51,12 @@ const QUADRATIC: [f64; 2] = [2.0 / 3.0; 2];
 /// The number of iterations after which the worst equations are given up.
 const ITERATIONS_PER_ROUND: u32 = 12;
 
-/// The relative rounding error of E_i above which a section counts as straight if its curvature is
-/// below [`MIN_CURVATURE`], and above which it always counts as straight. If points are dense, all
-/// errors are large, and that alone does not make a section straight.
+/// The relative rounding error of E_i above which a section always counts as straight.
 const MAX_AREA_ERROR: f64 = 1e-2;
+
+/// The relative rounding error of E_i above which a section counts as straight if its curvature is
+/// below [`MIN_CURVATURE`]. Where points are dense all errors are large, so the error alone does
+/// not make a section straight.
 const MAX_STRAIGHT_AREA_ERROR: f64 = 1e-8;
 
 /// The smallest significant curvature, times the size of the outline.
@@ -116,7 +118,7 @@ pub(super) fn solve_by_curvatures(
     Ok(())
 }
 
-/// The joints between two segments.
+/// Returns the joints between two segments.
 fn inner_joints(sub: &Subcurve<'_>) -> Range<usize> {
     let n = sub.len();
     match (sub.closed, sub.tangents) {
@@ -174,8 +176,8 @@ impl CurvatureJoints {
         self.find_unknowns(sub);
     }
 
-    /// Sets the curvature to 0 at joints followed by an inflection or a straight part of the
-    /// current polygon. Returns false if there are none left.
+    /// Sets the curvature to 0 at joints followed by an inflection or a straight part of
+    /// the current polygon. Returns false if there are none left.
     fn flatten_inflections(&mut self, sub: &Subcurve<'_>) -> bool {
         let mut any = false;
         for i in inner_joints(sub) {
@@ -298,8 +300,8 @@ impl CurvatureJoints {
         Ok(all)
     }
 
-    /// The residuals of the equations of point `i`, in tolerances: the point, the lock and the
-    /// curvature.
+    /// Returns the residuals of the equations of point `i`, in tolerances: the point, the lock and
+    /// the curvature.
     fn residuals(&self, sub: &Subcurve<'_>, i: usize) -> [f64; 3] {
         let (values, known) = (&self.values[i], &self.known[i]);
         let rounding = 64.0 * f64::EPSILON * sub.size / known.spacing;
@@ -372,7 +374,7 @@ impl CurvatureJoints {
     }
 }
 
-/// The relative rounding error of E_i that the control points cause.
+/// Returns the relative rounding error of E_i that the control points cause.
 fn area_error(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> f64 {
     let [before, after] = legs(sub, nodes, i);
     f64::EPSILON * sub.size * (before.length() + after.length()) / before.cross(after).length()

@@ -217,7 +217,7 @@ impl LeastSteps {
     }
 }
 
-/// The units of the unknowns of a point; 0 for fixed ones.
+/// Returns the units of the unknowns of a point; 0 for fixed ones.
 fn units(known: &Known, node: &Node) -> [f64; UNKNOWNS] {
     let control = if known.fixed { 0.0 } else { CONTROL_UNIT * known.spacing };
     let t = if known.tie == Tie::Parameter { 0.0 } else { 1.0 };

@@ -69,8 +69,8 @@ pub(super) struct Known {
     pub(super) free: [bool; 3],
 }
 
-/// The legs before and after control point `i`. At the ends of an open subcurve they are the legs
-/// from and to its points.
+/// Returns the legs before and after control point `i`. At the ends of an open subcurve they are
+/// the legs from and to its points.
 pub(super) fn legs(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> [DVec3; 2] {
     let b = nodes[i].control;
     let first = if sub.closed || i > 0 { nodes[sub.previous(i)].control } else { sub.points[0] };
@@ -78,17 +78,17 @@ pub(super) fn legs(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> [DVec3; 2] {
     [b - first, last - b]
 }
 
-/// The beta before section `i`; 0 for the segment that begins an open subcurve.
+/// Returns the beta before section `i`; 0 for the segment that begins an open subcurve.
 fn beta_before(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> f64 {
     if sub.closed || i > 0 { nodes[sub.previous(i)].beta } else { 0.0 }
 }
 
-/// The beta behind section `i`; 1 for the segment that ends an open subcurve.
+/// Returns the beta behind section `i`; 1 for the segment that ends an open subcurve.
 fn beta_after(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> f64 {
     if sub.closed || i + 1 < sub.len() { nodes[i].beta } else { 1.0 }
 }
 
-/// The equations of point `i`; missing ones are 0.
+/// Returns the equations of point `i`; missing ones are 0.
 pub(super) fn evaluate(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> [f64; EQUATIONS] {
     let mut values = [0.0; EQUATIONS];
     if sub.sections().contains(&i) {
@@ -114,7 +114,7 @@ fn log_curvature_at_end(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: 
     libm::log((1.0 - lambda) * (1.0 - before) * area(sub, known, nodes, i) / (mu * beta).powi(2))
 }
 
-/// The logarithm at the start of section `i`, with |e_(i-1)|^3.
+/// Returns the logarithm at the start of section `i`, with |e_(i-1)|^3.
 fn log_curvature_at_start(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> f64 {
     let [lambda, mu] = nodes[i].handles;
     let (before, beta) = (beta_before(sub, nodes, i), beta_after(sub, nodes, i));
@@ -154,8 +154,8 @@ impl Section {
     }
 }
 
-/// The derivatives of the equations of point `i` with respect to the unknowns of four points,
-/// beginning with the previous point.
+/// Returns the derivatives of the equations of point `i` with respect to the unknowns of four
+/// points, beginning with the previous point.
 pub(super) fn differentiate(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> Rows {
     let mut rows = Rows::default();
     if sub.sections().contains(&i) {
