@@ -30,7 +30,7 @@ struct Curve<'a, const N: usize, const M: usize> {
 
 /// A place on the arc.
 #[derive(Clone, Copy)]
-struct Node {
+struct ArcPoint {
     at: DVec2,
     point: DVec3,
 }
@@ -94,7 +94,7 @@ pub(super) fn refine<const N: usize, const M: usize>(
     places: &mut Vec<DVec2>,
 ) -> Option<DVec2> {
     let curve = Curve { patch, field, graph: link.graph?, chord, rounding_error };
-    let [from, to] = [link.from.at, link.to.at].map(|at| Node { at, point: patch.point(at.x, at.y) });
+    let [from, to] = [link.from.at, link.to.at].map(|at| ArcPoint { at, point: patch.point(at.x, at.y) });
     curve.middle_node(from, to).and_then(|middle| curve.halve(from, middle, to, DEPTH, places)).err()
 }
 
@@ -120,16 +120,23 @@ fn middle_place<const M: usize>(
 
 impl<const N: usize, const M: usize> Curve<'_, N, M> {
     /// The place at the mean of the parameters of two others.
-    fn middle_node(&self, a: Node, b: Node) -> Result<Node, DVec2> {
+    fn middle_node(&self, a: ArcPoint, b: ArcPoint) -> Result<ArcPoint, DVec2> {
         let at = middle_place(self.field, self.graph, [a.at, b.at], self.rounding_error)?;
-        Ok(Node { at, point: self.patch.point(at.x, at.y) })
+        Ok(ArcPoint { at, point: self.patch.point(at.x, at.y) })
     }
 
     /// Adds the places needed between `from` and `to`, given the place between them.
-    fn halve(&self, from: Node, middle: Node, to: Node, depth: u32, places: &mut Vec<DVec2>) -> Result<(), DVec2> {
+    fn halve(
+        &self,
+        from: ArcPoint,
+        middle: ArcPoint,
+        to: ArcPoint,
+        depth: u32,
+        places: &mut Vec<DVec2>,
+    ) -> Result<(), DVec2> {
         let quarters = [self.middle_node(from, middle)?, self.middle_node(middle, to)?];
         let limit = SEEN_PART * self.chord;
-        let far = |node: &Node| distance_squared(node.point, from.point, to.point) > limit * limit;
+        let far = |node: &ArcPoint| distance_squared(node.point, from.point, to.point) > limit * limit;
         if depth == 0 || ![quarters[0], middle, quarters[1]].iter().any(far) {
             return Ok(());
         }

@@ -9,7 +9,7 @@ use super::contour_lattice::ContourLattice;
 use super::contour_refinement::{is_straight, middle, refine, stays_near};
 use super::corner_crossing::{CornerCrossing, chord_root, crossing_by_corners, roots};
 use super::side::{crossings, positive};
-use super::source::{CellBase, Continuity, CornerTest, Source};
+use super::source::{CellBase, Continuity, ContourSource, CornerTest};
 use crate::Patch;
 use crate::cells::Cells;
 use crate::subdivision::Field;
@@ -119,7 +119,7 @@ struct CellLevel<'a, const M: usize> {
     corners: [bool; 4],
 }
 
-impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_, C, S, N, M> {
+impl<C: Cells<N>, S: ContourSource<M>, const N: usize, const M: usize> ContourSearch<'_, C, S, N, M> {
     /// Finds the arcs in the blocks `block(k)` for k < `count`, given as (row, column).
     pub(super) fn run(
         &self,

@@ -88,15 +88,15 @@ pub(super) const LANES: usize = 8;
 /// Computes the roots of cubic polynomials along sides that [`crossing_by_corners`] has proven to
 /// be crossed.
 pub(super) fn roots(sides: &[[f64; 4]], found: &mut Vec<f64>) {
-    simd::run(Roots { sides, found });
+    simd::run(RootKernel { sides, found });
 }
 
-struct Roots<'a> {
+struct RootKernel<'a> {
     sides: &'a [[f64; 4]],
     found: &'a mut Vec<f64>,
 }
 
-impl Kernel for Roots<'_> {
+impl Kernel for RootKernel<'_> {
     type Output = ();
 
     #[inline(always)]

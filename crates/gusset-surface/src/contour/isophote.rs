@@ -14,7 +14,7 @@ use super::normals::squares;
 use super::paths::{ContourSet, add_points};
 use super::point_spacing::{PointSpacing, add_leus_points};
 use super::projected_normals::{Corners, ProjectedNormals, frame};
-use super::source::{CellBase, Continuity, Source, levels_between};
+use super::source::{CellBase, Continuity, ContourSource, levels_between};
 use crate::cells::Cells;
 use crate::checks::{check_ascending, unit_vector};
 use crate::ranges::angles;
@@ -37,7 +37,7 @@ const CHUNK: usize = 64;
 /// The equation H = 0.
 struct Silhouette<'a, C, const N: usize>(&'a ProjectedNormals<'a, C, N>);
 
-impl<C: Cells<N>, const N: usize, const M: usize> Source<M> for Silhouette<'_, C, N> {
+impl<C: Cells<N>, const N: usize, const M: usize> ContourSource<M> for Silhouette<'_, C, N> {
     type Block = Corners;
     type Base = Field<M>;
     type Cache = ();
@@ -100,7 +100,7 @@ impl<C, const N: usize, const H: usize> Isophotes<'_, C, N, H> {
     }
 }
 
-impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for Isophotes<'_, C, N, H> {
+impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> ContourSource<M> for Isophotes<'_, C, N, H> {
     type Block = Corners;
     type Base = Squares<M>;
     type Cache = ();

@@ -19,7 +19,7 @@ pub(super) enum Continuity {
 }
 
 /// A field over each cell, for a number of levels.
-pub(super) trait Source<const M: usize>: Sync {
+pub(super) trait ContourSource<const M: usize>: Sync {
     /// The data that the cells of a block share.
     type Block;
     /// The data that the levels of a cell share.
@@ -42,7 +42,7 @@ pub(super) trait Source<const M: usize>: Sync {
     }
 
     /// The coefficients of the field along a side, bit for bit as in the cell's field. Only for
-    /// sources with [`Source::corner_test`].
+    /// sources with [`ContourSource::corner_test`].
     #[inline]
     fn side_coefficients(&self, _cell: [usize; 2], _side: usize, _level: usize) -> [f64; 4] {
         [0.0; 4]
@@ -255,7 +255,7 @@ pub(super) struct Nodal<'a, F, D> {
     pub(super) deviation: D,
 }
 
-impl<F, D> Source<4> for Nodal<'_, F, D>
+impl<F, D> ContourSource<4> for Nodal<'_, F, D>
 where
     F: Fn(usize, usize) -> f64 + Sync,
     D: Fn(usize, usize) -> f64 + Sync,
@@ -369,7 +369,7 @@ pub(super) struct Plane<'a, C, const N: usize> {
     pub(super) rounding_error: f64,
 }
 
-impl<C: Cells<N>, const N: usize> Source<N> for Plane<'_, C, N> {
+impl<C: Cells<N>, const N: usize> ContourSource<N> for Plane<'_, C, N> {
     type Block = ();
     type Base = Field<N>;
     type Cache = ();

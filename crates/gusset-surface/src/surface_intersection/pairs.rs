@@ -38,7 +38,7 @@ struct Indexed<'a> {
 }
 
 /// A block of one of the sheets.
-struct Node {
+struct BlockNode {
     level: usize,
     row: usize,
     column: usize,
@@ -103,14 +103,14 @@ impl Parallelepiped {
     }
 }
 
-impl Node {
-    fn root(index: &Pyramid, shift: DVec3) -> Node {
+impl BlockNode {
+    fn root(index: &Pyramid, shift: DVec3) -> BlockNode {
         let bounds = translated(index.bounds(), shift - index.origin());
-        Node { level: index.levels().len(), row: 0, column: 0, bounds, solid: None }
+        BlockNode { level: index.levels().len(), row: 0, column: 0, bounds, solid: None }
     }
 
     /// Child k, if it exists and may be within `by` of another block.
-    fn child(&self, k: usize, index: &Pyramid, shift: DVec3, near: &Node, by: f64) -> Option<Node> {
+    fn child(&self, k: usize, index: &Pyramid, shift: DVec3, near: &BlockNode, by: f64) -> Option<BlockNode> {
         let level = &index.levels()[self.level - 1];
         // The boxes of blocks that do not exist are empty.
         let bounds = translated(level.child_boxes(self.row, self.column).get(k), shift);
@@ -120,7 +120,7 @@ impl Node {
         let (row, column) = (2 * self.row + k / 2, 2 * self.column + k % 2);
         let solid = level.oriented(row, column).map(|oriented| Parallelepiped::from_oriented_box(oriented, shift));
         let apart = solid.as_ref().zip(near.solid.as_ref()).is_some_and(|(one, other)| !one.meets(other, by));
-        (!apart).then_some(Node { level: self.level - 1, row, column, bounds, solid })
+        (!apart).then_some(BlockNode { level: self.level - 1, row, column, bounds, solid })
     }
 
     fn extent(&self) -> f64 {
@@ -214,7 +214,7 @@ impl BlockCells {
     };
 
     /// Reads the block at a node, unless it is the current one.
-    fn read(&mut self, sheet: &Indexed<'_>, node: &Node, origin: DVec3) {
+    fn read(&mut self, sheet: &Indexed<'_>, node: &BlockNode, origin: DVec3) {
         if self.at == [node.row, node.column] {
             return;
         }
@@ -318,7 +318,7 @@ fn pairs(
     let before = found.len();
     let blocks = [BlockCells::NONE; 2];
     let mut descent = Descent { a, b, origin, shift, by, wanted, blocks, unheard: 0, found, job };
-    descent.visit(&Node::root(a.index, DVec3::ZERO), &Node::root(b.index, shift))?;
+    descent.visit(&BlockNode::root(a.index, DVec3::ZERO), &BlockNode::root(b.index, shift))?;
     let key = |pair: &CellPair| {
         let [[i, j], [k, l]] = pair.cells.map(|cell| cell.map(u128::from));
         i << 96 | j << 64 | k << 32 | l
@@ -356,7 +356,7 @@ impl Descent<'_> {
     }
 
     /// Adds the pairs of cells of two blocks of any level.
-    fn visit(&mut self, one: &Node, other: &Node) -> Result<()> {
+    fn visit(&mut self, one: &BlockNode, other: &BlockNode) -> Result<()> {
         self.count_pairs(1)?;
         if one.level == 0 && other.level == 0 {
             return self.cells(one, other);
@@ -376,7 +376,7 @@ impl Descent<'_> {
     }
 
     /// Adds the pairs of cells of two blocks of level 0.
-    fn cells(&mut self, one: &Node, other: &Node) -> Result<()> {
+    fn cells(&mut self, one: &BlockNode, other: &BlockNode) -> Result<()> {
         let Descent { a, b, wanted, ref mut blocks, ref mut found, .. } = *self;
         let [left, right] = blocks;
         left.read(a, one, self.origin);

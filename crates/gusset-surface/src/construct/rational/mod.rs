@@ -10,7 +10,7 @@ mod fit;
 
 use self::bound::Difference;
 use self::fit::{ExactPoints, Fit};
-use super::spline::{Interval, PieceNet, Spline, SplineOptions, SplinePiece, border_knots};
+use super::spline::{PieceNet, Spline, SplineInterval, SplineOptions, SplinePiece, border_knots};
 use crate::patches::Origin;
 use crate::{Patch, Patches};
 use glam::DVec3;
@@ -95,7 +95,7 @@ struct Cell {
 /// Computes patches within the tolerance of the spline, over intervals that cover all its spans.
 pub(super) fn patches(
     spline: &Spline<'_>,
-    mut intervals: [Vec<Interval>; 2],
+    mut intervals: [Vec<SplineInterval>; 2],
     options: &SplineOptions,
     job: &Job<'_>,
 ) -> Result<Patches<8>> {
@@ -172,7 +172,11 @@ fn cell_by_index(tasks: &[Vec<Cell>], number: usize) -> &Cell {
 
 /// Cuts intervals into equal parts. Also returns the previous index of each interval that was not
 /// cut.
-fn cut(intervals: &[Interval], parts: &[u8], direction: u32) -> Result<(Vec<Interval>, Vec<Option<usize>>)> {
+fn cut(
+    intervals: &[SplineInterval],
+    parts: &[u8],
+    direction: u32,
+) -> Result<(Vec<SplineInterval>, Vec<Option<usize>>)> {
     let count = parts.iter().map(|&parts| usize::from(parts)).sum();
     let (mut all, mut kept) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
     for (k, (interval, &parts)) in intervals.iter().zip(parts).enumerate() {
@@ -183,7 +187,7 @@ fn cut(intervals: &[Interval], parts: &[u8], direction: u32) -> Result<(Vec<Inte
             if ends[0] >= ends[1] {
                 return Err(Error::BadKnot { direction, knot: interval.knot as u32, value: from });
             }
-            all.push(Interval { ends, ..*interval });
+            all.push(SplineInterval { ends, ..*interval });
             kept.push((parts == 1).then_some(k));
         }
     }
