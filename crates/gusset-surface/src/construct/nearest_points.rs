@@ -155,10 +155,10 @@ impl<const N: usize> NearestPointsSearch<'_, N> {
     /// Improves the best places by a descent from the middle of two parts.
     fn improve(&mut self, parts: &SegmentPair<N>) {
         let whole = [0, 1].map(|k| self.net_curves[k].segments[parts.of[k]]);
-        let found = minimise(&whole, [0, 1].map(|k| parts.from[k] + 0.5 * parts.size[k]));
-        if found.1 < self.best.distance {
-            let places = [0, 1].map(|k| CurvePlace { segment: parts.of[k], t: found.0[k] });
-            self.best = NearestPoints { places, distance: found.1 };
+        let minimum = minimise(&whole, [0, 1].map(|k| parts.from[k] + 0.5 * parts.size[k]));
+        if minimum.1 < self.best.distance {
+            let places = [0, 1].map(|k| CurvePlace { segment: parts.of[k], t: minimum.0[k] });
+            self.best = NearestPoints { places, distance: minimum.1 };
         }
     }
 }

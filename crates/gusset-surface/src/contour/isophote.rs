@@ -232,10 +232,10 @@ impl Surface<'_> {
             }
         }
         let IsophoteSearch { curves, points, .. } = search;
-        let mut found = curves.paths(self, &job.part(0.9, 1.0))?;
-        add_points(self, &points, &mut found)?;
-        self.report_angles(axis, angles, unsigned, &mut found)?;
-        add_leus_points(found, spacing)
+        let mut isophotes = curves.paths(self, &job.part(0.9, 1.0))?;
+        add_points(self, &points, &mut isophotes)?;
+        self.report_angles(axis, angles, unsigned, &mut isophotes)?;
+        add_leus_points(isophotes, spacing)
     }
 
     /// Reports places of curves where the normal is regular, but makes another angle: once for
@@ -328,23 +328,23 @@ impl IsophoteSearch<'_> {
         let crossed = if classes.silhouettes.is_empty() { Vec::new() } else { blocks(&[0.5 * PI])? };
         for &number in &classes.silhouettes {
             let search = ContourSearch::<_, _, N, H> { cells, source: &Silhouette(&normals), lattice, chord };
-            let mut found = search.run(crossed.len(), |k| crossed[k], &next())?;
-            found.arcs.iter_mut().for_each(|arc| arc.level = number);
-            curves.add(k, found, &lattice, jumps, job.threads())?;
+            let mut contour_arcs = search.run(crossed.len(), |k| crossed[k], &next())?;
+            contour_arcs.arcs.iter_mut().for_each(|arc| arc.level = number);
+            curves.add(k, contour_arcs, &lattice, jumps, job.threads())?;
         }
         if !classes.others.is_empty() {
             let source = Isophotes::<C, N, H> { normals: &normals, classes };
             let crossed = blocks(&classes.radians)?;
             let search = ContourSearch::<_, _, N, M> { cells, source: &source, lattice, chord };
-            let mut found = search.run(crossed.len(), |k| crossed[k], &next())?;
-            found.arcs.iter_mut().for_each(|arc| arc.level = classes.numbers[arc.level as usize]);
-            curves.add(k, found, &lattice, jumps, job.threads())?;
+            let mut contour_arcs = search.run(crossed.len(), |k| crossed[k], &next())?;
+            contour_arcs.arcs.iter_mut().for_each(|arc| arc.level = classes.numbers[arc.level as usize]);
+            curves.add(k, contour_arcs, &lattice, jumps, job.threads())?;
         }
         if jumps {
             let (angles, unsigned) = (&classes.crossed, classes.unsigned);
             let unresolved = creases(&normals, cones, &lattice, angles, unsigned, &next())?;
-            let found = ContourArcs { unresolved, ..ContourArcs::default() };
-            curves.add(k, found, &lattice, true, job.threads())?;
+            let crease_arcs = ContourArcs { unresolved, ..ContourArcs::default() };
+            curves.add(k, crease_arcs, &lattice, true, job.threads())?;
         }
         for &(number, sign) in &classes.poles {
             let blocks = blocks(&[if sign > 0.0 { 0.0 } else { PI }])?;

@@ -128,8 +128,8 @@ impl Value {
             hessian[offset + 1][offset + 1] += vv;
         }
         (0..4).for_each(|k| first[k][k] *= 1.0 + 1e-3);
-        let found = solve(&hessian, gradient, free).or_else(|| solve(&first, gradient, free));
-        found.filter(|step| step.iter().all(|x| x.is_finite()) && step.iter().any(|&x| x != 0.0))
+        let newton_step = solve(&hessian, gradient, free).or_else(|| solve(&first, gradient, free));
+        newton_step.filter(|step| step.iter().all(|x| x.is_finite()) && step.iter().any(|&x| x != 0.0))
     }
 }
 

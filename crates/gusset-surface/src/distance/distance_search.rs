@@ -152,14 +152,14 @@ impl<'a> DistanceSearch<'a> {
     /// Records a point on each side, if it is closer than the best pair.
     fn add(&mut self, pair: &PiecePair, value: &Value) {
         let [u, v, s, t] = value.at;
-        let found =
+        let nearest_pair =
             Nearest { distance: value.distance, a: self.a.place(pair.a, [u, v]), b: self.b.place(pair.b, [s, t]) };
         let key = |nearest: &Nearest| (nearest.distance, nearest.a, nearest.b);
-        if self.best.is_none_or(|best| key(&found) < key(&best)) {
-            if found.distance < self.distance() * (1.0 - MIN_RELATIVE_GAIN) {
+        if self.best.is_none_or(|best| key(&nearest_pair) < key(&best)) {
+            if nearest_pair.distance < self.distance() * (1.0 - MIN_RELATIVE_GAIN) {
                 self.pairs_at_gain = self.pairs;
             }
-            (self.best, self.last) = (Some(found), Some((*pair, *value)));
+            (self.best, self.last) = (Some(nearest_pair), Some((*pair, *value)));
         }
     }
 

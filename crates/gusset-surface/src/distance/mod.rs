@@ -144,11 +144,11 @@ impl Surface<'_> {
         check_size(point, "point")?;
         let normal = unit_vector(normal, "normal")?;
         let across = DMat3::from_cols(DVec3::ZERO, DVec3::ZERO, normal).transpose();
-        let found = self.distance_to(DistanceSide::Point, (point, across), &[point], tolerance, job)?;
-        let mut approach = found.approach(self, 0.0, DVec3::ZERO);
+        let nearest = self.distance_to(DistanceSide::Point, (point, across), &[point], tolerance, job)?;
+        let mut approach = nearest.approach(self, 0.0, DVec3::ZERO);
         let height = normal.dot(approach.point - point);
         approach.other_point = approach.point - height * normal;
-        approach.other = found.distance.copysign(height);
+        approach.other = nearest.distance.copysign(height);
         Ok(approach)
     }
 
@@ -168,10 +168,10 @@ impl Surface<'_> {
             return Err(Error::EmptyCurve);
         }
         curve.points().iter().try_for_each(|&point| check_size(point, "curve"))?;
-        let found =
+        let nearest =
             self.distance_to(DistanceSide::Curve(curve), self.unprojected_view(), curve.points(), tolerance, job)?;
-        let at = CurvePlace { segment: found.b.number as u32, t: found.b.at[0] };
-        Ok(found.approach(self, at, curve.point(at)?))
+        let at = CurvePlace { segment: nearest.b.number as u32, t: nearest.b.at[0] };
+        Ok(nearest.approach(self, at, curve.point(at)?))
     }
 
     /// Finds the nearest points of two surfaces. The default tolerance is the larger of the two.
@@ -188,9 +188,9 @@ impl Surface<'_> {
     ) -> Result<Approach<Place>> {
         let tolerance = tolerance.unwrap_or(self.tolerance().max(other.tolerance()));
         let source = DistanceSide::Surface(other);
-        let found = self.distance_to(source, self.unprojected_view(), &other.corners(), Some(tolerance), job)?;
-        let at = place(&found.b);
-        Ok(found.approach(self, at, other.jet(at).point))
+        let nearest = self.distance_to(source, self.unprojected_view(), &other.corners(), Some(tolerance), job)?;
+        let at = place(&nearest.b);
+        Ok(nearest.approach(self, at, other.jet(at).point))
     }
 
     /// The corners of the bounding box.
@@ -216,9 +216,9 @@ impl Surface<'_> {
         job.step(0.0, STAGE)?;
         let tolerance = tolerance.unwrap_or(self.tolerance());
         Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)?;
-        let all = || self.corners().into_iter().chain(extent.iter().copied());
-        let reach = all().map(|point| (point - origin).abs().max_element()).fold(0.0, f64::max);
-        let largest = all().map(|point| point.abs().max_element()).fold(origin.abs().max_element(), f64::max);
+        let all_points = || self.corners().into_iter().chain(extent.iter().copied());
+        let reach = all_points().map(|point| (point - origin).abs().max_element()).fold(0.0, f64::max);
+        let largest = all_points().map(|point| point.abs().max_element()).fold(origin.abs().max_element(), f64::max);
         let unit = if reach > 0.0 { floor_to_power_of_two(reach) } else { 1.0 };
         let rounding = 32.0 * f64::EPSILON * (largest / unit);
         let tolerance = (tolerance / unit).max(4.0 * rounding);

@@ -109,9 +109,9 @@ impl<'a> Pieces<'a> {
         if let Some(known) = self.pieces[piece].balls {
             return known;
         }
-        let found = self.net(piece).map_or_else(Balls::default, |net| net.balls());
-        self.pieces[piece].balls = Some(found);
-        found
+        let balls = self.net(piece).map_or_else(Balls::default, |net| net.balls());
+        self.pieces[piece].balls = Some(balls);
+        balls
     }
 
     pub(super) fn hull(&self, piece: usize) -> &[DVec3] {
@@ -125,8 +125,9 @@ impl<'a> Pieces<'a> {
 
     /// The control net, if the piece is a net.
     pub(super) fn net(&self, piece: usize) -> Option<ControlNet<'_>> {
-        let found = &self.pieces[piece];
-        matches!(found.kind, Kind::ControlNet).then(|| ControlNet { points: self.hull(piece), shape: found.shape })
+        let net_piece = &self.pieces[piece];
+        matches!(net_piece.kind, Kind::ControlNet)
+            .then(|| ControlNet { points: self.hull(piece), shape: net_piece.shape })
     }
 
     /// The number of control points stored.

@@ -34,8 +34,8 @@ impl Surface<'_> {
     /// [`Error::BadLine`] with the first line that is not finite or lacks a direction,
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn lines(&self, lines: &[Line], selection: HitSelection, job: &Job<'_>) -> Result<Lines> {
-        let mut all = Lines { ends: alloc::with_capacity(lines.len() + 1)?, hits: Vec::new() };
-        all.ends.push(0);
+        let mut line_hits = Lines { ends: alloc::with_capacity(lines.len() + 1)?, hits: Vec::new() };
+        line_hits.ends.push(0);
         let each = |lines: &[Line], workspace: &mut LineWorkspace| {
             let (mut counts, mut hits) = (alloc::with_capacity(lines.len())?, Vec::new());
             for line in lines {
@@ -47,11 +47,11 @@ impl Surface<'_> {
         };
         batches(lines, job, each, |(counts, hits)| {
             for count in counts {
-                all.ends.push(all.ends[all.ends.len() - 1] + count);
+                line_hits.ends.push(line_hits.ends[line_hits.ends.len() - 1] + count);
             }
-            alloc::append(&mut all.hits, &hits)
+            alloc::append(&mut line_hits.hits, &hits)
         })?;
-        Ok(all)
+        Ok(line_hits)
     }
 
     /// Finds the first hit of each of many lines, as [`Surface::line`] returns it.
@@ -59,7 +59,7 @@ impl Surface<'_> {
     /// # Errors
     /// The errors of [`Surface::lines`].
     pub fn first_hits(&self, lines: &[Line], job: &Job<'_>) -> Result<Vec<Option<Hit>>> {
-        let mut all = alloc::with_capacity(lines.len())?;
+        let mut first_hits = alloc::with_capacity(lines.len())?;
         let each = |lines: &[Line], workspace: &mut LineWorkspace| {
             let mut hits = alloc::with_capacity(lines.len())?;
             for line in lines {
@@ -68,8 +68,8 @@ impl Surface<'_> {
             }
             Ok(hits)
         };
-        batches(lines, job, each, |hits| alloc::append(&mut all, &hits))?;
-        Ok(all)
+        batches(lines, job, each, |hits| alloc::append(&mut first_hits, &hits))?;
+        Ok(first_hits)
     }
 }
 

@@ -202,9 +202,9 @@ impl MinimaSearch<'_> {
             if patch.box_distance(minimum.point) > self.tolerance {
                 return true;
             }
-            let found =
+            let nearest =
                 nearest_on_patch(&patch, minimum.point, start, self.tolerance, 0.1 * self.tolerance, &mut workspace);
-            let Some(there) = found.filter(|there| there.distance <= self.tolerance) else { return true };
+            let Some(there) = nearest.filter(|there| there.distance <= self.tolerance) else { return true };
             !has_descent_direction(&patch, self.query, there.place, SAME_POINT * self.tolerance)
         })
     }

@@ -186,8 +186,8 @@ impl<const M: usize, const N: usize> CurvePatchPair<M, N> {
             let apart = sides.into_iter().filter_map(DVec3::try_normalize).any(|side| self.apart(side, rounding_error));
             return if apart { BoxTest::Empty } else { undecided };
         }
-        let found = self.resolve(whole, jacobian.inverse(), rounding_error);
-        found.unwrap_or(undecided)
+        let test = self.resolve(whole, jacobian.inverse(), rounding_error);
+        test.unwrap_or(undecided)
     }
 
     /// True if a direction separates the two.

@@ -117,10 +117,10 @@ fn frame_with_normal(normal: DVec3) -> DMat3 {
 impl ContactSearch<'_> {
     /// Resolves all clusters that can be resolved.
     pub(super) fn run(&self, job: &Job<'_>) -> Result<CriticalPoints> {
-        let mut found =
+        let mut critical =
             CriticalPoints { points: Vec::new(), explanations: alloc::filled(UNRESOLVED, self.balls.len())? };
         if self.balls.is_empty() {
-            return Ok(found);
+            return Ok(critical);
         }
         for (k, cluster) in self.clusters(job)?.iter().enumerate() {
             if k.is_multiple_of(64) {
@@ -128,14 +128,14 @@ impl ContactSearch<'_> {
             }
             let Some(point) = self.resolve(cluster) else { continue };
             let is_apart = !point.is_saddle && point.gap.abs() > self.tolerance;
-            let number = if is_apart { APART } else { found.points.len() as u32 };
-            cluster.iter().for_each(|&ball| found.explanations[ball as usize] = number);
+            let number = if is_apart { APART } else { critical.points.len() as u32 };
+            cluster.iter().for_each(|&ball| critical.explanations[ball as usize] = number);
             if !is_apart {
-                alloc::push(&mut found.points, point)?;
+                alloc::push(&mut critical.points, point)?;
             }
         }
-        self.explain_rims(&mut found);
-        Ok(found)
+        self.explain_rims(&mut critical);
+        Ok(critical)
     }
 
     /// Assigns remaining balls within a contact to it. They lie on the rim of a lens thinner than

@@ -35,18 +35,18 @@ pub(super) fn near_pairs(points: &[DVec3], within: f64, job: &Job<'_>) -> Result
     sort::stable(&mut order, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let mut pairs = Vec::new();
     // Sort keys are rounded, so the limit is wider.
-    let mut done = 0;
+    let mut compared = 0;
     for run in order.chunk_by(|a, b| b.0 - a.0 <= 1.5 * within) {
-        let own = job.part(done as f64 / points.len() as f64, 1.0);
+        let own = job.part(compared as f64 / points.len() as f64, 1.0);
         if run.len() > MAX_COMPARED {
             add_pairs_of_many(points, run, within, &mut pairs, &own.part(0.0, 0.0))?;
-            done += run.len();
+            compared += run.len();
             continue;
         }
-        if (done + run.len()) / ENDS_PER_STEP > done / ENDS_PER_STEP {
+        if (compared + run.len()) / ENDS_PER_STEP > compared / ENDS_PER_STEP {
             own.step(0.0, "paths")?;
         }
-        done += run.len();
+        compared += run.len();
         for (at, &(_, k)) in run.iter().enumerate() {
             for &(_, n) in &run[at + 1..] {
                 let distance = points[k as usize].distance(points[n as usize]);

@@ -255,8 +255,8 @@ impl Surface<'_> {
     /// [`Error::OptionOutOfRange`] if the distance is negative or not finite; [`Error::TooLarge`]
     /// above [`MAX_PAIRS`]; [`Error::OutOfMemory`]; [`Error::Cancelled`].
     pub fn candidates(&self, other: &Surface<'_>, within: f64, job: &Job<'_>) -> Result<Vec<CellPair>> {
-        let all = (0..self.len()).flat_map(|k| (0..other.len()).map(move |n| [k, n]));
-        self.candidates_among(all, other, (within, &|_| true), job)
+        let sheet_pairs = (0..self.len()).flat_map(|k| (0..other.len()).map(move |n| [k, n]));
+        self.candidates_among(sheet_pairs, other, (within, &|_| true), job)
     }
 
     /// Returns the pairs of cells of the surface with itself, each once. Omits pairs that are
@@ -287,15 +287,15 @@ impl Surface<'_> {
         job: &Job<'_>,
     ) -> Result<Vec<CellPair>> {
         Error::require(within >= 0.0 && within.is_finite(), "within", within)?;
-        let mut found = Vec::new();
+        let mut cell_pairs = Vec::new();
         for [k, n] in sheets {
             let [a, b] = [(self, k), (other, n)].map(|(surface, k)| {
                 let (sheet, index) = surface.indexed(k);
                 Indexed { number: k as u32, sheet, index }
             });
-            pairs(&a, &b, (within, wanted), &mut found, job)?;
+            pairs(&a, &b, (within, wanted), &mut cell_pairs, job)?;
         }
-        Ok(found)
+        Ok(cell_pairs)
     }
 }
 

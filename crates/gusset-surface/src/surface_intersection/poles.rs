@@ -115,12 +115,12 @@ impl Bounds {
 
     /// Whether the bounds prove the sheet injective.
     fn are_injective(&self, is_ring: bool) -> bool {
-        let all = [self.least, self.greatest].as_flattened().iter().all(|x| x.is_finite());
+        let is_finite = [self.least, self.greatest].as_flattened().iter().all(|x| x.is_finite());
         let is_dominant = self.least[0] > 0.0
             && self.least[1] > 0.0
             && self.least[0] * self.least[1] > (1.0 + 1e-9) * self.greatest[0] * self.greatest[1];
         let once = if is_ring { self.turn < 1.5 * TAU } else { self.turn + 2.0 * self.spread < TAU };
-        all && is_dominant && once
+        is_finite && is_dominant && once
     }
 }
 

@@ -170,8 +170,8 @@ impl PairTask {
     ) -> Result<()> {
         let mut search = self.search(&whole.nets, pieces, job);
         // Most pairs have one box, so it is borrowed and no memory is allocated.
-        let done = search.run(Cow::Borrowed(whole));
-        search.finish(done, whole)
+        let outcome = search.run(Cow::Borrowed(whole));
+        search.finish(outcome, whole)
     }
 
     /// Creates a search whose boxes share the limit of the pair.
@@ -254,12 +254,12 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
             }
             BoxTest::Unique(chart) => {
                 let search = ArcSearch::new(equation, part, &chart, [resolution, self.task.shortest], rounding_error);
-                let found = match search.find_along_line(&frame) {
-                    Some(found) => found,
+                let arc_test = match search.find_along_line(&frame) {
+                    Some(arc_test) => arc_test,
                     None if part.is_apart(&frame, rounding_error) => BoxTest::Empty,
                     None => search.find_from_inside(&frame),
                 };
-                match found {
+                match arc_test {
                     BoxTest::Empty => return Ok(BoxTest::Empty),
                     BoxTest::Unique(ends) => return Ok(BoxTest::Unique((ends, chart.free))),
                     BoxTest::Undecided(k) => unclear = k,
@@ -404,8 +404,8 @@ impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
         // Beyond the largest number of separate balls, the nearest ball absorbs the new one.
         let beyond = |ball: &UnresolvedBall| ball.centre.distance(centre) - ball.radius;
         let nearest = || (0..own.len()).min_by(|&k, &n| beyond(&own[k]).total_cmp(&beyond(&own[n])));
-        let found = own.iter().position(touches).or_else(|| nearest().filter(|_| own.len() >= MAX_BALLS));
-        match found {
+        let target = own.iter().position(touches).or_else(|| nearest().filter(|_| own.len() >= MAX_BALLS));
+        match target {
             Some(k) => {
                 let nearer = if gap < own[k].gap { ball } else { own[k] };
                 let radius = |ball: &UnresolvedBall| nearer.centre.distance(ball.centre) + ball.radius;

@@ -57,16 +57,16 @@ impl Trails<'_> {
     /// Returns the paths, ordered by their first arcs.
     pub(super) fn run(&self, job: &Job<'_>) -> Result<Vec<Trail>> {
         let (mates, dropped) = self.mates(job)?;
-        let mut done = dropped;
+        let mut used = dropped;
         let mut trails = Vec::new();
         // Open paths first, starting at an end.
         for ends in [true, false] {
             for k in 0..self.arcs.len() as u32 {
                 let first = [0, 1].into_iter().find(|end| mates[(2 * k + end) as usize] == NONE);
-                if done[k as usize] || ends && first.is_none() {
+                if used[k as usize] || ends && first.is_none() {
                     continue;
                 }
-                alloc::push(&mut trails, self.trail(2 * k + first.unwrap_or(0), &mates, &mut done)?)?;
+                alloc::push(&mut trails, self.trail(2 * k + first.unwrap_or(0), &mates, &mut used)?)?;
             }
         }
         sort::stable(&mut trails, &|a, b| a.steps[0].arc.cmp(&b.steps[0].arc));

@@ -178,7 +178,7 @@ fn cut(
     direction: u32,
 ) -> Result<(Vec<SplineInterval>, Vec<Option<usize>>)> {
     let count = parts.iter().map(|&parts| usize::from(parts)).sum();
-    let (mut all, mut kept) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
+    let (mut parts_of_intervals, mut kept) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
     for (k, (interval, &parts)) in intervals.iter().zip(parts).enumerate() {
         let [from, to] = interval.ends;
         let at = |part: u8| if part == parts { to } else { from + (to - from) * (f64::from(part) / f64::from(parts)) };
@@ -187,11 +187,11 @@ fn cut(
             if ends[0] >= ends[1] {
                 return Err(Error::BadKnot { direction, knot: interval.knot as u32, value: from });
             }
-            all.push(SplineInterval { ends, ..*interval });
+            parts_of_intervals.push(SplineInterval { ends, ..*interval });
             kept.push((parts == 1).then_some(k));
         }
     }
-    Ok((all, kept))
+    Ok((parts_of_intervals, kept))
 }
 
 impl<'a> Rational<'a> {
