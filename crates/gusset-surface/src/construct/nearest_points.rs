@@ -19,7 +19,7 @@ const MAX_SPLITS: usize = 1 << 14;
 /// Largest number of halvings of a segment.
 const MAX_SUBDIVISION_DEPTH: u32 = 48;
 /// Largest number of Newton steps from a start.
-const NEWTON_STEPS: usize = 16;
+const MAX_NEWTON_STEPS: usize = 16;
 
 /// A binary hierarchy of boxes over the segments of a curve.
 pub(super) struct Boxes {
@@ -187,7 +187,7 @@ fn minimise<const N: usize>(segments: &[[DVec3; N]; 2], start: [f64; 2]) -> ([f6
     };
     let mut at = start;
     let mut here = apart(at);
-    for _ in 0..NEWTON_STEPS {
+    for _ in 0..MAX_NEWTON_STEPS {
         let (from, a, b) = here;
         let slopes = [a.dot(from), -b.dot(from)];
         let held = [0, 1].map(|k| (at[k] <= 0.0 && slopes[k] >= 0.0) || (at[k] >= 1.0 && slopes[k] <= 0.0));

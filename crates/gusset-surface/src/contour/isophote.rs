@@ -30,9 +30,9 @@ use std::ops::Range;
 /// Sines and cosines below this count as 0.
 const MIN_SINE: f64 = 1e-8;
 /// Largest error of the angles of points caused by rounding, in radians.
-const ANGLE_TOLERANCE: f64 = 1e-6;
+const MAX_ANGLE_ERROR: f64 = 1e-6;
 /// Number of blocks that a thread searches in one task.
-const CHUNK: usize = 64;
+const BLOCKS_PER_TASK: usize = 64;
 
 /// The equation H = 0.
 struct Silhouette<'a, C, const N: usize>(&'a ProjectedNormals<'a, C, N>);
@@ -249,7 +249,7 @@ impl Surface<'_> {
                 let along = normal.dot(axis);
                 let angle = libm::atan2(normal.cross(axis).length(), if unsigned { along.abs() } else { along });
                 let known = last.is_some_and(|last| (last.sheet, last.cell) == (place.sheet, place.cell));
-                if (angle - goal).abs() > ANGLE_TOLERANCE
+                if (angle - goal).abs() > MAX_ANGLE_ERROR
                     && !known
                     && self.local_geometry(place).normal.kind == NormalKind::Regular
                 {
@@ -368,7 +368,7 @@ fn poles<C: Cells<N>, const N: usize, const H: usize>(
     sign: f64,
     job: &Job<'_>,
 ) -> Result<Vec<Result<[Vec<Place>; 2]>>> {
-    par::map_cancellable(job, "contours", par::ranges(blocks.len(), CHUNK), |range| {
+    par::map_cancellable(job, "contours", par::ranges(blocks.len(), BLOCKS_PER_TASK), |range| {
         let mut found = [Vec::new(), Vec::new()];
         for &block in &blocks[range] {
             let (corners, cells) = normals.block(lattice, block);

@@ -13,7 +13,7 @@ use gusset_base::sort;
 use gusset_base::{alloc, par};
 
 /// Number of places that a thread evaluates in one task.
-const CHUNK: usize = 1024;
+const PLACES_PER_TASK: usize = 1024;
 
 /// The paths of all sheets, and unresolved places.
 #[derive(Default)]
@@ -96,7 +96,10 @@ impl SheetContours {
         sort::stable(&mut contours, &|a, b| a.level.cmp(&b.level));
         let count = places.len();
         let (mut points, mut normals) = (alloc::filled(DVec3::ZERO, count)?, alloc::filled(DVec3::ZERO, count)?);
-        let parts = places.chunks(CHUNK).zip(points.chunks_mut(CHUNK)).zip(normals.chunks_mut(CHUNK));
+        let parts = places
+            .chunks(PLACES_PER_TASK)
+            .zip(points.chunks_mut(PLACES_PER_TASK))
+            .zip(normals.chunks_mut(PLACES_PER_TASK));
         par::map_cancellable(job, "points", parts, |((places, points), normals)| {
             surface.points_and_normals(places, points, normals);
         })?;

@@ -8,7 +8,7 @@ use gusset_base::job::Job;
 use gusset_base::{alloc, par};
 
 /// Number of lines that a thread processes in one task.
-const BATCH: usize = 512;
+const LINES_PER_TASK: usize = 512;
 
 /// The hits of many lines.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -95,12 +95,12 @@ fn batches<R: Send>(
         })?;
     }
     // One workspace for each thread, reused from batch to batch.
-    let threads = par::at_most(lines.len().div_ceil(BATCH), job.threads());
+    let threads = par::at_most(lines.len().div_ceil(LINES_PER_TASK), job.threads());
     let mut workspaces = alloc::collect((0..threads).map(|_| LineWorkspace::default()))?;
-    let round = BATCH * threads;
+    let round = LINES_PER_TASK * threads;
     for (k, some) in lines.chunks(round).enumerate() {
         job.step((k * round) as f64 / lines.len() as f64, "lines")?;
-        let parts = some.chunks(BATCH).zip(&mut workspaces);
+        let parts = some.chunks(LINES_PER_TASK).zip(&mut workspaces);
         for part in par::map(threads, parts, |(batch, workspace)| each(batch, workspace))? {
             add(part?)?;
         }

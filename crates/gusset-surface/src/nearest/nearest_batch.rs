@@ -3,7 +3,7 @@
 //! Queries are sorted along the curve of G. M. Morton (1966) and distributed among threads.
 //! Consecutive queries then read the same blocks of the index from the cache. Each query is
 //! answered separately, so results do not depend on the order or the number of threads. O(n log n)
-//! for the sort, whose memory is limited to [`SORTED_QUERIES`] keys.
+//! for the sort, whose memory is limited to [`QUERIES_PER_SORT`] keys.
 
 use super::closest::Closest;
 use super::nearest_search::NearestSearch;
@@ -16,7 +16,7 @@ use gusset_base::job::Job;
 use gusset_base::{alloc, par};
 
 /// Number of queries sorted at once.
-const SORTED_QUERIES: usize = 1 << 16;
+const QUERIES_PER_SORT: usize = 1 << 16;
 /// Number of queries between two progress reports.
 const QUERIES_PER_STEP: usize = 1 << 13;
 /// Number of queries that a thread answers in one task.
@@ -46,9 +46,9 @@ impl Surface<'_> {
     ) -> Result<()> {
         Error::require(limit >= 0.0, "limit", limit)?;
         queries.iter().zip(0..).try_for_each(|(&query, index)| check_query(query, index))?;
-        let mut order: Vec<(u64, u32)> = alloc::with_capacity(queries.len().min(SORTED_QUERIES))?;
+        let mut order: Vec<(u64, u32)> = alloc::with_capacity(queries.len().min(QUERIES_PER_SORT))?;
         let mut answered = 0;
-        for (part, out) in queries.chunks(SORTED_QUERIES).zip(out.chunks_mut(SORTED_QUERIES)) {
+        for (part, out) in queries.chunks(QUERIES_PER_SORT).zip(out.chunks_mut(QUERIES_PER_SORT)) {
             sort_along_curve(part, &mut order);
             for round in order.chunks(QUERIES_PER_STEP) {
                 job.step(answered as f64 / queries.len() as f64, "nearest points")?;

@@ -40,7 +40,7 @@ const VISITS_PER_REPORT: usize = 1 << 18;
 /// are not halved below that size.
 const MAX_RIMS: f64 = 4.0;
 /// Largest number of Newton steps.
-const NEWTON_STEPS: usize = 32;
+const MAX_NEWTON_STEPS: usize = 32;
 /// How far outside its cells a critical point may be, in parameters. A point on a side belongs to
 /// the cells on both sides.
 const PARAMETER_SLACK: f64 = 1e-6;
@@ -249,7 +249,7 @@ impl ContactSearch<'_> {
     /// equal.
     fn critical_point(&self, ball: &UnresolvedBall, balls: &[&UnresolvedBall]) -> Option<NewtonOutcome> {
         let (mut x, mut last) = (ball.x, f64::INFINITY);
-        for _ in 0..NEWTON_STEPS {
+        for _ in 0..MAX_NEWTON_STEPS {
             let [a, b] = self.places(ball.pair, x);
             let (jets, normal) = ([self.surfaces[0].jet(a), self.surfaces[1].jet(b)], self.surfaces[0].normal(a));
             let frame = frame_with_normal(normal.try_normalize()?);

@@ -86,7 +86,7 @@ fn add_pairs_of_many(
 }
 
 /// Ends within this number of resolutions may be the same point.
-pub(super) const REACH: f64 = 2.0;
+pub(super) const JOINT_RESOLUTIONS: f64 = 2.0;
 
 /// Chains of arcs.
 #[derive(Debug, Default)]
@@ -112,7 +112,7 @@ pub(super) fn chain_arcs(
     let arcs = &pieces.arcs;
     // The start and the end of each arc.
     let ends = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
-    let near = near_pairs(&ends, REACH * resolution, job)?;
+    let near = near_pairs(&ends, JOINT_RESOLUTIONS * resolution, job)?;
     let mut dropped = find_repeated(arcs, &near, false, resolution)?;
     let mut joints = Vec::new();
     for (distance, k, n) in near {
@@ -160,7 +160,7 @@ pub(super) fn find_repeated(
         let (one, other) = (&arcs[p as usize / 2], &arcs[q as usize / 2]);
         let (e, f) = (p as usize % 2, q as usize % 2);
         // Most of these pairs are successive arcs.
-        if other.ends[1 - f].distance(one.ends[1 - e]) > REACH * resolution {
+        if other.ends[1 - f].distance(one.ends[1 - e]) > JOINT_RESOLUTIONS * resolution {
             continue;
         }
         let way = if e == f { 1.0 } else { -1.0 };

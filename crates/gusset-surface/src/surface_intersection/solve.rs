@@ -30,14 +30,14 @@ const TINY_RESOLUTIONS: f64 = 4.0;
 /// Thickness of pieces below which they are not halved further, in tolerances. It is smaller than
 /// the lens between surfaces that overlap by more than the tolerance, so the complete rim of a lens
 /// is found.
-const CONTACT_THICKNESS: f64 = 1.0 / 32.0;
+const CONTACT_THICKNESS_TOLERANCES: f64 = 1.0 / 32.0;
 
 /// Boxes smaller than this in a parameter are halved in another parameter.
 const MIN_SPLIT_SIZE: f64 = 1e-8;
 /// A curve may run along a side if both ends are within this distance of it, in parameters.
 const SIDE_SLACK: f64 = 1e-6;
 /// Largest slope of a curve that runs along a side, in parameters.
-const SIDE_SLOPE: f64 = 1e-2;
+const MAX_SIDE_SLOPE: f64 = 1e-2;
 
 /// Number of boxes of a pair between two progress reports.
 const BOXES_PER_STEP: usize = 1 << 10;
@@ -152,7 +152,7 @@ impl PairTask {
         let sides = |x: f64, slack: f64| [x <= slack, x >= 1.0 - slack];
         // A short arc that ends at a side has both ends close to it.
         let run = (ends[1] - ends[0]).abs();
-        let is_level = |k: usize| run[k] <= SIDE_SLOPE * run.max_element();
+        let is_level = |k: usize| run[k] <= MAX_SIDE_SLOPE * run.max_element();
         let runs_along =
             |k: usize, side: usize| is_along_side && is_level(k) && ends.iter().all(|x| sides(x[k], SIDE_SLACK)[side]);
         let ends_at = |x: DVec4, k: usize, side: usize| {
@@ -276,7 +276,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
             return Ok(BoxTest::Empty);
         }
         let [thickness, reach] = match is_fine {
-            true => [(CONTACT_THICKNESS * tolerance).max(4.0 * rounding_error), tolerance],
+            true => [(CONTACT_THICKNESS_TOLERANCES * tolerance).max(4.0 * rounding_error), tolerance],
             false => [tolerance, -tolerance],
         };
         // Beside poles, and in cells that are small relative to the tolerance, crossing pieces may

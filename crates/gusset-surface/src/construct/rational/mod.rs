@@ -22,14 +22,14 @@ use gusset_base::job::Job;
 use gusset_base::{alloc, par};
 
 /// Default for the largest number of cells.
-const MAX_CELLS: usize = 1 << 20;
+const DEFAULT_MAX_CELLS: usize = 1 << 20;
 
 /// Default tolerance, relative to the diagonal of the bounding box of the control points.
-const TOLERANCE: f64 = 1e-12;
+const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-12;
 
 /// Smallest weight relative to the largest one. Products of larger weights do not underflow
 /// noticeably.
-const LEAST_WEIGHT: f64 = 1.183_052_186_166_774e-271;
+const MIN_RELATIVE_WEIGHT: f64 = 1.183_052_186_166_774e-271;
 
 /// The relative rounding error of one operation, 2^-53.
 const ROUNDING: f64 = 0.5 * f64::EPSILON;
@@ -60,7 +60,7 @@ pub(super) fn has_different_weights(spline: &Spline<'_>) -> Result<bool> {
     };
     bad(&|weight| !(weight > 0.0 && weight.is_finite()))?;
     let greatest = weights.iter().fold(0.0, |greatest: f64, &weight| greatest.max(weight));
-    bad(&|weight| weight / greatest < LEAST_WEIGHT)?;
+    bad(&|weight| weight / greatest < MIN_RELATIVE_WEIGHT)?;
     Ok(weights.iter().any(|&weight| weight != weights[0]))
 }
 
@@ -100,7 +100,7 @@ pub(super) fn patches(
     job: &Job<'_>,
 ) -> Result<Patches<8>> {
     let rational = Rational::new(spline, options)?;
-    let limit = options.max_cells.unwrap_or(MAX_CELLS) as u64;
+    let limit = options.max_cells.unwrap_or(DEFAULT_MAX_CELLS) as u64;
     // All cells ever computed, by task so that they do not move, and the index of each grid cell.
     let mut tasks: Vec<Vec<Cell>> = Vec::new();
     let mut grid: Vec<usize> = Vec::new();
@@ -223,7 +223,7 @@ impl<'a> Rational<'a> {
                 Error::require(given / unit >= 2.0 * rounding, "tolerance", given)?;
                 given / unit
             }
-            None => (TOLERANCE * diagonal).max(2.0 * rounding),
+            None => (DEFAULT_RELATIVE_TOLERANCE * diagonal).max(2.0 * rounding),
         };
         let target = tolerance - rounding;
         Ok(Rational { spline, unit, middle, homogeneous, fit: Fit::new(degrees)?, target, rounding, radius })
