@@ -8,8 +8,8 @@
 //! theta.
 //!
 //! Invariant: the deviation of every discarded part is at least the best deviation less
-//! [`ANGLE_TOLERANCE`], or is included in the returned bound. Cost: about O(cells whose bound is below
-//! the answer), at most [`MAX_PARTS`] parts for each.
+//! [`ANGLE_TOLERANCE`], or is included in the returned bound. Cost: about O(cells whose bound is
+//! below the answer), at most [`MAX_PARTS`] parts for each.
 
 use super::cone_culling;
 use super::contour_lattice::ContourLattice;

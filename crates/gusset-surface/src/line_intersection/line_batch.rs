@@ -85,9 +85,9 @@ fn batches<R: Send>(
         line.check().map_err(|error| match error {
             Error::OptionOutOfRange { option, value } => {
                 let why = match option {
-                    "origin" => "begins beyond 1e150",
-                    "direction" => "has no direction",
-                    _ => "has no points between its ends",
+                    "origin" => "needs an origin with coordinates up to 1e150",
+                    "direction" => "needs a direction with a length from 1e-150 to 1e150",
+                    _ => "needs `from` to be at most `to`",
                 };
                 Error::BadLine { line: k as u64, why, value }
             }

@@ -56,7 +56,7 @@ impl Surface<'_> {
     /// Returns the local minima of the distance from `query` that are at most `limit` away, the
     /// nearest first. If `most` is not 0, returns only the nearest `most` minima.
     ///
-    /// No minimum is missed. A place that may be a minimum, without proof, is returned with `proven`
+    /// Finds every minimum. A place that may be a minimum, without proof, is returned with `proven`
     /// false. If `most` is given, cells farther than the last minimum are not searched.
     ///
     /// # Errors
