@@ -16,7 +16,7 @@ use std::ops::Range;
 
 const STAGE: &str = "carrying values over";
 /// Number of elements that a thread processes in one task.
-const CHUNK: usize = 1 << 14;
+const ELEMENTS_PER_TASK: usize = 1 << 14;
 /// Largest number of steps towards the mean of directions. Each step squares the error.
 const MAX_STEPS: usize = 16;
 const ROUNDING: f64 = 1e-15;
@@ -41,7 +41,7 @@ pub fn apply(origins: &Origins, channel: &Channel<'_>, out: &mut Output<'_>, job
         return Err(Error::ArrayTooShort { what: "values", needed: needed as u64, given: out.bytes.len() as u64 });
     }
     let mixer = Mixer::new(origins, channel);
-    let chunks = out.bytes.chunks_mut(CHUNK * out.stride).zip(par::ranges(table.len(), CHUNK));
+    let chunks = out.bytes.chunks_mut(ELEMENTS_PER_TASK * out.stride).zip(par::ranges(table.len(), ELEMENTS_PER_TASK));
     let chunks = alloc::collect(chunks)?;
     let stride = out.stride;
     let done = par::map_cancellable(&job.part(0.2, 0.9), STAGE, chunks.into_iter(), |(bytes, rows)| {

@@ -10,7 +10,7 @@ use gusset_base::par;
 
 const STAGE: &str = "checking values";
 /// Number of elements that a thread checks in one task.
-const CHUNK: usize = 1 << 14;
+const ELEMENTS_PER_TASK: usize = 1 << 14;
 /// Largest number of components.
 pub(crate) const MAX_COMPONENTS: u32 = 1 << 12;
 
@@ -126,7 +126,9 @@ impl<'a> Channel<'a> {
                 bytes.chunks_exact(size).any(|value| is_bad(self.value_type.read(value)))
             };
             let found =
-                par::map_cancellable(job, STAGE, par::ranges(values.count(), CHUNK), |mut range| range.find(bad))?;
+                par::map_cancellable(job, STAGE, par::ranges(values.count(), ELEMENTS_PER_TASK), |mut range| {
+                    range.find(bad)
+                })?;
             if let Some(&index) = found.iter().flatten().next() {
                 let mut own = values.bytes(index).chunks_exact(size).map(|value| self.value_type.read(value));
                 let value = own.find(|&value| is_bad(value)).unwrap_or(f64::NAN);

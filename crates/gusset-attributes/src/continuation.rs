@@ -45,12 +45,12 @@ const MAX_DEVIATION: f64 = 0.5;
 /// Largest number of different jumps, counting both directions. Jumps that differ by less than this
 /// fraction are the same.
 const MAX_JUMPS: usize = 32;
-const SAME_JUMP: f64 = 1e-3;
+const MAX_RELATIVE_JUMP_DIFFERENCE: f64 = 1e-3;
 /// Jumps, and deviations from an extended chart, are long if they exceed this multiple of the usual
 /// length of a base.
-const FAR: f64 = 4.0;
+const LONG_BASES: f64 = 4.0;
 /// Values at a vertex are the same if they differ by less than this fraction of the largest one.
-const SAME: f64 = 1e-6;
+const MAX_RELATIVE_DIFFERENCE: f64 = 1e-6;
 
 /// The base of a new face, given by corners of the result.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -235,9 +235,9 @@ impl Continuation {
             let size: f64 = (0..values.components).map(|c| jump(c).powi(2)).sum();
             let is_known = |known: &Vec<f64>| {
                 let off: f64 = known.iter().enumerate().map(|(c, x)| (jump(c) - x).powi(2)).sum();
-                off <= SAME_JUMP * SAME_JUMP * size
+                off <= MAX_RELATIVE_JUMP_DIFFERENCE * MAX_RELATIVE_JUMP_DIFFERENCE * size
             };
-            let is_long = size > FAR * FAR * cuts.usual_way;
+            let is_long = size > LONG_BASES * LONG_BASES * cuts.usual_way;
             if is_long && cuts.jumps.len() < MAX_JUMPS && !cuts.jumps.iter().any(is_known) {
                 for sign in [1.0, -1.0] {
                     let there = alloc::collect((0..values.components).map(|c| sign * jump(c)))?;
@@ -326,7 +326,7 @@ impl Continuation {
     fn is_across_cut(&self, values: &Output<'_>, mut corners: Range<u32>, base: u32, usual: f64) -> bool {
         corners.any(|corner| {
             let (off, way) = self.deviation_and_distance(values, corner, base);
-            off > FAR * FAR * way.max(usual)
+            off > LONG_BASES * LONG_BASES * way.max(usual)
         })
     }
 
@@ -380,7 +380,7 @@ impl Base {
 fn are_same(values: &Output<'_>, corners: [u32; 2]) -> bool {
     (0..values.components).all(|c| {
         let [x, y] = corners.map(|corner| values.get(corner as usize, c));
-        (x - y).abs() <= SAME * x.abs().max(y.abs())
+        (x - y).abs() <= MAX_RELATIVE_DIFFERENCE * x.abs().max(y.abs())
     })
 }
 

@@ -43,12 +43,12 @@ pub(super) fn by_row<T: Send + Clone + Default>(
     job: &Job<'_>,
     work: impl Fn(usize, &mut [T]) + Sync,
 ) -> Result<Vec<T>> {
-    let mut all = alloc::filled(T::default(), rows * columns)?;
+    let mut values = alloc::filled(T::default(), rows * columns)?;
     let together = VALUES_PER_TASK.div_ceil(columns);
-    par::map_cancellable(job, stage, all.chunks_mut(together * columns).enumerate(), |(k, part)| {
+    par::map_cancellable(job, stage, values.chunks_mut(together * columns).enumerate(), |(k, part)| {
         part.chunks_mut(columns).enumerate().for_each(|(i, row)| work(k * together + i, row));
     })?;
-    Ok(all)
+    Ok(values)
 }
 
 /// Computes values like [`by_row`], cell by cell.

@@ -102,8 +102,8 @@ impl Surface<'_> {
     /// # Errors
     /// [`Error::NoSuch`] if the sheet does not exist, or the parameters are not finite.
     pub fn place(&self, sheet: usize, [u, v]: [f64; 2]) -> Result<Place> {
-        let found = if sheet < self.len() { self.sheet(sheet).locate(u, v) } else { None };
-        let ([i, j], [u, v]) = found.ok_or(Error::NoSuch { element: Element::Place, index: 0 })?;
+        let location = if sheet < self.len() { self.sheet(sheet).locate(u, v) } else { None };
+        let ([i, j], [u, v]) = location.ok_or(Error::NoSuch { element: Element::Place, index: 0 })?;
         Ok(Place { sheet: sheet as u32, cell: [i as u32, j as u32], u, v })
     }
 
@@ -136,16 +136,16 @@ impl Surface<'_> {
         if let Some(index) = places.iter().position(|place| !self.has_place(place)) {
             return Err(Error::NoSuch { element: Element::Place, index: index as u64 });
         }
-        let mut all = alloc::with_capacity(places.len())?;
+        let mut geometries = alloc::with_capacity(places.len())?;
         for round in places.chunks(PLACES_PER_TASK * TASKS_PER_STEP) {
-            job.step(all.len() as f64 / places.len() as f64, "evaluating")?;
+            job.step(geometries.len() as f64 / places.len() as f64, "evaluating")?;
             let work = |range: std::ops::Range<usize>| {
                 alloc::collect(round[range].iter().map(|&place| self.local_geometry(place)))
             };
             for part in par::map(job.threads(), par::ranges(round.len(), PLACES_PER_TASK), work)? {
-                all.append(&mut part?);
+                geometries.append(&mut part?);
             }
         }
-        Ok(all)
+        Ok(geometries)
     }
 }

@@ -137,10 +137,10 @@ impl Sheet<'_> {
 }
 
 /// The cell of a parameter line, and its parameter there.
-type Line = (u32, f64);
+type ParameterLine = (u32, f64);
 
 /// The lines of one direction, and whether each of them is a single point.
-fn lines(sheet: &Sheet<'_>, direction: usize, parts: &[f64], count: usize) -> Result<(Vec<Line>, Vec<bool>)> {
+fn lines(sheet: &Sheet<'_>, direction: usize, parts: &[f64], count: usize) -> Result<(Vec<ParameterLine>, Vec<bool>)> {
     let is_point = |cell: usize, end: bool| sheet.line_is_point(direction, cell, end);
     let mut lines = alloc::with_capacity(count + 1)?;
     let mut points = alloc::with_capacity(count + 1)?;
@@ -161,7 +161,7 @@ fn lines(sheet: &Sheet<'_>, direction: usize, parts: &[f64], count: usize) -> Re
 struct MeshLattice<'a> {
     sheet: &'a Sheet<'a>,
     /// Lines in u and in v, without the lines that close the sheet.
-    lines: [Vec<Line>; 2],
+    lines: [Vec<ParameterLine>; 2],
     /// Whether each line is a single point.
     points: [Vec<bool>; 2],
     /// If both directions have lines that are single points: the first such line of v. All these

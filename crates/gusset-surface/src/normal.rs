@@ -92,8 +92,8 @@ impl<const N: usize> Patch<N> {
         if let Some(direction) = jet.regular_normal(noise) {
             return Normal { direction, kind: NormalKind::Regular, spread: 0.0 };
         }
-        let found = [self.limit(u, v, noise), -self.transposed().limit(v, u, noise)];
-        match found {
+        let limits = [self.limit(u, v, noise), -self.transposed().limit(v, u, noise)];
+        match limits {
             [DVec3::ZERO, DVec3::ZERO] => Normal::NONE,
             [DVec3::ZERO, direction] | [direction, DVec3::ZERO] => {
                 Normal { direction, kind: NormalKind::Limit, spread: 0.0 }

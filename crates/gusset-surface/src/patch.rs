@@ -13,17 +13,17 @@ pub struct Patch<const N: usize> {
 /// Position and derivatives at a point of a patch, with respect to the patch's parameters.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Jet {
-    /// S.
+    /// The point S(u, v).
     pub point: DVec3,
-    /// S_u.
+    /// The derivative S_u.
     pub u: DVec3,
-    /// S_v.
+    /// The derivative S_v.
     pub v: DVec3,
-    /// S_uu.
+    /// The second derivative S_uu.
     pub uu: DVec3,
-    /// S_uv.
+    /// The mixed derivative S_uv.
     pub uv: DVec3,
-    /// S_vv.
+    /// The second derivative S_vv.
     pub vv: DVec3,
 }
 

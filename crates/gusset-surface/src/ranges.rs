@@ -12,9 +12,12 @@ pub(crate) fn cross(u: [[f64; 2]; 3], v: [[f64; 2]; 3]) -> [[f64; 2]; 3] {
 
 /// The product of two intervals.
 fn times(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    let all = [a[0] * b[0], a[0] * b[1], a[1] * b[0], a[1] * b[1]];
+    let products = [a[0] * b[0], a[0] * b[1], a[1] * b[0], a[1] * b[1]];
     let (low, high) = (|x: f64, y: f64| if x < y { x } else { y }, |x: f64, y: f64| if x > y { x } else { y });
-    [low(low(all[0], all[1]), low(all[2], all[3])), high(high(all[0], all[1]), high(all[2], all[3]))]
+    [
+        low(low(products[0], products[1]), low(products[2], products[3])),
+        high(high(products[0], products[1]), high(products[2], products[3])),
+    ]
 }
 
 /// The smallest and the largest angle between the third axis and a vector whose components lie

@@ -68,8 +68,8 @@ pub(super) struct Ranges {
 
 impl Ranges {
     fn new(count: usize) -> Result<Ranges> {
-        let all = |value| alloc::filled(value, 3 * count);
-        Ok(Ranges { low: all(f64::INFINITY)?, high: all(f64::NEG_INFINITY)? })
+        let filled_ranges = |value| alloc::filled(value, 3 * count);
+        Ok(Ranges { low: filled_ranges(f64::INFINITY)?, high: filled_ranges(f64::NEG_INFINITY)? })
     }
 
     fn clear(&mut self) {
@@ -111,8 +111,8 @@ impl<const K: usize> Sweep<'_, K> {
             let needed =
                 alloc::gather(needed.map(|r| (r - block_rows.start, is_side_of_cells(self.u, &rows(r), row))))?;
             for c in 0..across {
-                let found = ranges.bounding_box(block_range(c, cells));
-                needed.iter().for_each(|&(r, own)| add(r * across + c, found, own));
+                let bounds = ranges.bounding_box(block_range(c, cells));
+                needed.iter().for_each(|&(r, own)| add(r * across + c, bounds, own));
             }
         }
         Ok(())

@@ -24,13 +24,13 @@ fn derivative_weights(weights: &Weights) -> Sums<3> {
 
 /// Boxes of control vectors: on a block's own lines, and on all lines that its cells depend on.
 #[derive(Clone, Copy)]
-struct Spread {
+struct VectorBoxes {
     own: Aabb,
     all: Aabb,
 }
 
-impl Spread {
-    const EMPTY: Spread = Spread { own: Aabb::EMPTY, all: Aabb::EMPTY };
+impl VectorBoxes {
+    const EMPTY: VectorBoxes = VectorBoxes { own: Aabb::EMPTY, all: Aabb::EMPTY };
 
     fn add(&mut self, bounds: Aabb, own: bool) {
         self.all = self.all.union(bounds);
@@ -56,10 +56,10 @@ pub(super) fn tangents(
 ) -> Result<()> {
     let sweep = Sweep { nodes, u, v, sums: derivative_weights };
     // S_v.
-    let mut along = alloc::filled(Spread::EMPTY, boxes.len())?;
+    let mut along = alloc::filled(VectorBoxes::EMPTY, boxes.len())?;
     sweep.sweep_rows(block_rows.clone(), |k, found, own| along[k].add(found, own))?;
     sweep.sweep_across_rows(block_rows, |k, columns, ranges| {
-        let mut across = Spread::EMPTY;
+        let mut across = VectorBoxes::EMPTY;
         across.add(ranges.bounding_box(columns.start..columns.end + 1), true);
         v.lines_for(columns).for_each(|j| across.add(ranges.bounding_box(j..j + 1), false));
         boxes[k] = [across.sums(v), along[k].sums(u)];

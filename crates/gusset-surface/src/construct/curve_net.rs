@@ -23,12 +23,12 @@ use gusset_base::sort;
 use gusset_curve::CurveView;
 
 /// Breaks of different pieces closer than this, as a fraction of the piece, are merged.
-const SAME_BREAK: f64 = 1e-6;
+const MAX_MERGED_BREAK_GAP: f64 = 1e-6;
 
 /// Number of patches between two progress reports.
 const PATCHES_PER_STEP: usize = 1 << 13;
-const FINDING: &str = "finding nodes";
-const MAKING: &str = "making patches";
+const NODE_STAGE: &str = "finding nodes";
+const PATCH_STAGE: &str = "making patches";
 
 /// Curves across (rows) and along (columns). Every row meets every column in the given order;
 /// curves may run in either direction. Rows alone, or columns alone, make a skin. A curve may be a
@@ -120,14 +120,14 @@ impl<const N: usize> Gordon<N> {
         let total = (net.rows.len() + net.columns.len()) as f64;
         let net_curves = |curves: &[CurveView<'_>], before: usize| {
             alloc::try_collect((0..curves.len()).map(|k| {
-                job.step(0.1 * (before + k) as f64 / total, FINDING)?;
+                job.step(0.1 * (before + k) as f64 / total, NODE_STAGE)?;
                 NetCurve::new(&curves[k])
             }))
         };
         let (rows, columns) = (net_curves(net.rows, 0)?, net_curves(net.columns, net.rows.len())?);
         let boxes = |net_curves: &[NetCurve<N>], before: usize| {
             alloc::try_collect((0..net_curves.len()).map(|k| {
-                job.step(0.1 + 0.1 * (before + k) as f64 / total, FINDING)?;
+                job.step(0.1 + 0.1 * (before + k) as f64 / total, NODE_STAGE)?;
                 Boxes::from_curve(&net_curves[k])
             }))
         };
@@ -140,7 +140,7 @@ impl<const N: usize> Gordon<N> {
         let count = rows.len() * columns.len();
         let places = alloc::try_collect((0..count).map(|n| {
             let (k, l) = (n / columns.len(), n % columns.len());
-            job.step(0.2 + 0.6 * n as f64 / count as f64, FINDING)?;
+            job.step(0.2 + 0.6 * n as f64 / count as f64, NODE_STAGE)?;
             let met = nearest([&rows[k], &columns[l]], [&row_boxes[k], &column_boxes[l]], slack)?;
             if met.distance > tolerance.max(rounding_error) {
                 return Err(Error::CurvesApart { row: k as u32, column: l as u32, distance: met.distance });
@@ -179,7 +179,7 @@ impl<const N: usize> Gordon<N> {
             let place = |k: usize, l: usize| if axis == 0 { (k, l) } else { (l, k) };
             let number = |(row, column): (usize, usize)| row * width + column;
             alloc::try_collect((0..net_curves.len()).map(|k| {
-                job.step((axis * height + k) as f64 / (height + width) as f64, FINDING)?;
+                job.step((axis * height + k) as f64 / (height + width) as f64, NODE_STAGE)?;
                 let at = alloc::collect((0..count).map(|l| places[number(place(k, l))][axis]))?;
                 let ends = |l: usize| nodes[number(place(k, l % count.max(1)))];
                 let out_of_order = |l: usize| {
@@ -222,7 +222,7 @@ impl<const N: usize> Gordon<N> {
                 std::array::from_fn::<DVec3, N, _>(|a| curve[a] - weighted_sum(&across[a], &nodes))
             }))?;
             for (j, (lines, along)) in cells_v.iter().enumerate() {
-                job.part(0.4, 1.0).step_every(PATCHES_PER_STEP, patches.len(), patches.capacity(), MAKING)?;
+                job.part(0.4, 1.0).step_every(PATCHES_PER_STEP, patches.len(), patches.capacity(), PATCH_STAGE)?;
                 let (rows, rest) = (piece.lines.map(|k| &rows[k][j]), lines.map(|l| &rest[l]));
                 let point = |a: usize, b: usize| {
                     weighted_sum(&across[a], &rows.map(|row| row[b]))
@@ -255,7 +255,7 @@ impl<const N: usize> Gordon<N> {
                 Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
             };
             for j in 0..v.count() {
-                job.part(0.4, 1.0).step_every(PATCHES_PER_STEP, patches.len(), patches.capacity(), MAKING)?;
+                job.part(0.4, 1.0).step_every(PATCHES_PER_STEP, patches.len(), patches.capacity(), PATCH_STAGE)?;
                 patches.push(patch(j));
             }
         }
@@ -350,7 +350,7 @@ impl Strips {
         }
         let (mut all_breaks, mut all_ends) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
         for strip in 0..count {
-            job.step(strip as f64 / count as f64, MAKING)?;
+            job.step(strip as f64 / count as f64, PATCH_STAGE)?;
             let own = alloc::collect(curves.iter().map(|curve| &curve[strip].ends[..]))?;
             let (breaks, ends) = breaks(&own, points)?;
             all_breaks.push(breaks);
@@ -376,7 +376,7 @@ impl Strips {
     /// The segments of each curve over each cell.
     fn refine<const N: usize>(&self, curves: &[Vec<CurvePiece<N>>], job: &Job<'_>) -> Result<Vec<Vec<[DVec3; N]>>> {
         alloc::try_collect((0..curves.len()).map(|k| {
-            job.step(k as f64 / curves.len() as f64, MAKING)?;
+            job.step(k as f64 / curves.len() as f64, PATCH_STAGE)?;
             let mut refined = alloc::with_capacity(self.count())?;
             for (strip, piece) in curves[k].iter().enumerate() {
                 piece.refine(&self.ends[strip][k], &self.breaks[strip], &mut refined)?;
@@ -411,7 +411,7 @@ fn breaks(own: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> 
     let mut breaks: Vec<f64> = Vec::new();
     for (end, curve) in all {
         let last = breaks.last().copied().unwrap_or(0.0);
-        if breaks.is_empty() || end - last > SAME_BREAK || ends[curve].last() == Some(&last) {
+        if breaks.is_empty() || end - last > MAX_MERGED_BREAK_GAP || ends[curve].last() == Some(&last) {
             alloc::push(&mut breaks, end)?;
         }
         let end = breaks[breaks.len() - 1];
@@ -442,7 +442,7 @@ fn transpose_patches<const N: usize>(patches: &Patches<N>, job: &Job<'_>) -> Res
     let [rows, columns] = patches.cells();
     let mut turned = patches_with_capacity(columns, rows)?;
     for (j, i) in (0..columns).flat_map(|j| (0..rows).map(move |i| (j, i))) {
-        job.step_every(PATCHES_PER_STEP, turned.len(), turned.capacity(), MAKING)?;
+        job.step_every(PATCHES_PER_STEP, turned.len(), turned.capacity(), PATCH_STAGE)?;
         turned.push(patches.get(i, j).transposed());
     }
     Ok(Patches::from_patches(turned, columns, rows))

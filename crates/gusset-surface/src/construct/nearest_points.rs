@@ -19,7 +19,7 @@ const MAX_SPLITS: usize = 1 << 14;
 /// Largest number of halvings of a segment.
 const MAX_SUBDIVISION_DEPTH: u32 = 48;
 /// Largest number of Newton steps from a start.
-const NEWTON_STEPS: usize = 16;
+const MAX_NEWTON_STEPS: usize = 16;
 
 /// A binary hierarchy of boxes over the segments of a curve.
 pub(super) struct Boxes {
@@ -67,7 +67,7 @@ struct SegmentPair<const N: usize> {
 }
 
 /// A pair that may be closer: of boxes over segments, or of parts of segments.
-enum Task<const N: usize> {
+enum CurveTask<const N: usize> {
     Boxes([(usize, usize); 2]),
     SegmentPair(Box<SegmentPair<N>>),
 }
@@ -82,7 +82,7 @@ pub(super) fn nearest<const N: usize>(
     let best = NearestPoints { places: [CurvePlace { segment: 0, t: 0.0 }; 2], distance: f64::INFINITY };
     let mut search =
         NearestPointsSearch { net_curves, boxes, slack, best, frontier: Frontier::default(), added: 0, splits: 0 };
-    search.push_task(0.0, Task::Boxes(boxes.map(|boxes| (boxes.levels.len() - 1, 0))))?;
+    search.push_task(0.0, CurveTask::Boxes(boxes.map(|boxes| (boxes.levels.len() - 1, 0))))?;
     search.run()?;
     Ok(search.best)
 }
@@ -94,17 +94,17 @@ struct NearestPointsSearch<'a, const N: usize> {
     slack: f64,
     best: NearestPoints,
     /// Among equal gaps, the pair added first comes first.
-    frontier: Frontier<Task<N>, usize>,
+    frontier: Frontier<CurveTask<N>, usize>,
     added: usize,
     splits: usize,
 }
 
 impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
-    type Task = Task<N>;
+    type Task = CurveTask<N>;
     type Key = usize;
     type Stop = Error;
 
-    fn frontier(&mut self) -> &mut Frontier<Task<N>, usize> {
+    fn frontier(&mut self) -> &mut Frontier<CurveTask<N>, usize> {
         &mut self.frontier
     }
 
@@ -113,25 +113,25 @@ impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
         !is_settled
     }
 
-    fn branch(&mut self, gap: f64, task: Task<N>) -> Result<()> {
+    fn branch(&mut self, gap: f64, task: CurveTask<N>) -> Result<()> {
         match task {
-            Task::Boxes([a, b]) if a.0 == 0 && b.0 == 0 => {
+            CurveTask::Boxes([a, b]) if a.0 == 0 && b.0 == 0 => {
                 let of = [a.1, b.1];
                 let points = [0, 1].map(|k| self.net_curves[k].segments[of[k]]);
                 let whole = SegmentPair { of, points, from: [0.0; 2], size: [1.0; 2], depth: 0 };
-                self.push_task(gap, Task::SegmentPair(Box::new(whole)))
+                self.push_task(gap, CurveTask::SegmentPair(Box::new(whole)))
             }
-            Task::Boxes(pair) => {
+            CurveTask::Boxes(pair) => {
                 let taller = usize::from(pair[0].0 < pair[1].0);
                 let boxes = self.boxes;
                 boxes[taller].children(pair[taller]).try_for_each(|child| {
                     let mut pair = pair;
                     pair[taller] = child;
                     let [a, b] = [0, 1].map(|k| boxes[k].get(pair[k]));
-                    self.push_task(a.distance(&b), Task::Boxes(pair))
+                    self.push_task(a.distance(&b), CurveTask::Boxes(pair))
                 })
             }
-            Task::SegmentPair(parts) => {
+            CurveTask::SegmentPair(parts) => {
                 self.improve(&parts);
                 if parts.depth == MAX_SUBDIVISION_DEPTH || self.splits == MAX_SPLITS {
                     return Ok(());
@@ -139,7 +139,7 @@ impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
                 self.splits += 1;
                 parts.halves().into_iter().try_for_each(|half| {
                     let [a, b] = half.points.map(Aabb::from_points);
-                    self.push_task(a.distance(&b), Task::SegmentPair(Box::new(half)))
+                    self.push_task(a.distance(&b), CurveTask::SegmentPair(Box::new(half)))
                 })
             }
         }
@@ -147,7 +147,7 @@ impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
 }
 
 impl<const N: usize> NearestPointsSearch<'_, N> {
-    fn push_task(&mut self, gap: f64, task: Task<N>) -> Result<()> {
+    fn push_task(&mut self, gap: f64, task: CurveTask<N>) -> Result<()> {
         self.added += 1;
         self.frontier.push(gap, self.added, task)
     }
@@ -155,10 +155,10 @@ impl<const N: usize> NearestPointsSearch<'_, N> {
     /// Improves the best places by a descent from the middle of two parts.
     fn improve(&mut self, parts: &SegmentPair<N>) {
         let whole = [0, 1].map(|k| self.net_curves[k].segments[parts.of[k]]);
-        let found = minimise(&whole, [0, 1].map(|k| parts.from[k] + 0.5 * parts.size[k]));
-        if found.1 < self.best.distance {
-            let places = [0, 1].map(|k| CurvePlace { segment: parts.of[k], t: found.0[k] });
-            self.best = NearestPoints { places, distance: found.1 };
+        let minimum = minimise(&whole, [0, 1].map(|k| parts.from[k] + 0.5 * parts.size[k]));
+        if minimum.1 < self.best.distance {
+            let places = [0, 1].map(|k| CurvePlace { segment: parts.of[k], t: minimum.0[k] });
+            self.best = NearestPoints { places, distance: minimum.1 };
         }
     }
 }
@@ -187,7 +187,7 @@ fn minimise<const N: usize>(segments: &[[DVec3; N]; 2], start: [f64; 2]) -> ([f6
     };
     let mut at = start;
     let mut here = apart(at);
-    for _ in 0..NEWTON_STEPS {
+    for _ in 0..MAX_NEWTON_STEPS {
         let (from, a, b) = here;
         let slopes = [a.dot(from), -b.dot(from)];
         let held = [0, 1].map(|k| (at[k] <= 0.0 && slopes[k] >= 0.0) || (at[k] >= 1.0 && slopes[k] <= 0.0));

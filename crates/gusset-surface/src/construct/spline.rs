@@ -57,7 +57,7 @@ pub struct SplineOptions {
 
 /// A span, or a part of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Interval {
+pub(super) struct SplineInterval {
     /// The index of the knot at which the span begins.
     pub(super) knot: usize,
     /// The parameters at both ends.
@@ -79,7 +79,7 @@ pub(super) type PieceNet<T> = [[T; MAX_DEGREE + 1]; MAX_DEGREE + 1];
 
 impl Spline<'_> {
     /// The pieces over intervals, in u and in v.
-    pub(super) fn pieces(&self, intervals: &[Vec<Interval>; 2]) -> Result<[Vec<SplinePiece>; 2]> {
+    pub(super) fn pieces(&self, intervals: &[Vec<SplineInterval>; 2]) -> Result<[Vec<SplinePiece>; 2]> {
         Ok([self.axes[0].pieces(&intervals[0], self.counts[0])?, self.axes[1].pieces(&intervals[1], self.counts[1])?])
     }
 
@@ -114,8 +114,8 @@ impl Spline<'_> {
 }
 
 /// The parameters of the borders of cells.
-pub(super) fn border_knots(intervals: &[Vec<Interval>; 2]) -> Result<[Vec<f64>; 2]> {
-    let of = |intervals: &[Interval]| {
+pub(super) fn border_knots(intervals: &[Vec<SplineInterval>; 2]) -> Result<[Vec<f64>; 2]> {
+    let of = |intervals: &[SplineInterval]| {
         let mut knots = alloc::with_capacity(intervals.len() + 1)?;
         knots.extend(intervals.first().map(|first| first.ends[0]));
         knots.extend(intervals.iter().map(|interval| interval.ends[1]));
@@ -126,7 +126,7 @@ pub(super) fn border_knots(intervals: &[Vec<Interval>; 2]) -> Result<[Vec<f64>; 
 
 impl SplineAxis<'_> {
     /// The spans that are not empty. `direction` is 0 or 1, for errors.
-    pub(super) fn intervals(&self, count: usize, direction: u32) -> Result<Vec<Interval>> {
+    pub(super) fn intervals(&self, count: usize, direction: u32) -> Result<Vec<SplineInterval>> {
         let needed = if self.closed { count + 1 } else { count + self.degree + 1 };
         if self.knots.len() != needed {
             let given = self.knots.len() as u64;
@@ -136,12 +136,12 @@ impl SplineAxis<'_> {
         let spans = if self.closed { 0..count } else { self.degree..count };
         let ends = |k: usize| [self.knots[k], self.knots[k + 1]];
         let mut intervals = alloc::with_capacity(spans.len())?;
-        intervals.extend(spans.map(|knot| Interval { knot, ends: ends(knot) }).filter(|i| i.ends[0] < i.ends[1]));
+        intervals.extend(spans.map(|knot| SplineInterval { knot, ends: ends(knot) }).filter(|i| i.ends[0] < i.ends[1]));
         Ok(intervals)
     }
 
     /// The pieces over successive intervals, from the first to the last span.
-    fn pieces(&self, intervals: &[Interval], count: usize) -> Result<Vec<SplinePiece>> {
+    fn pieces(&self, intervals: &[SplineInterval], count: usize) -> Result<Vec<SplinePiece>> {
         let mut pieces: Vec<SplinePiece> = alloc::with_capacity(intervals.len())?;
         let mut before = 0;
         for interval in intervals {
@@ -210,7 +210,7 @@ impl SplineAxis<'_> {
     /// The piece over [a, b]: the blossom at p - i arguments a and i arguments b, as weights.
     /// Weights are not negative, and each is accurate to a few units in the last place, however
     /// small.
-    fn piece(&self, interval: &Interval, count: usize) -> SplinePiece {
+    fn piece(&self, interval: &SplineInterval, count: usize) -> SplinePiece {
         let (p, k, [a, b]) = (self.degree, interval.knot, interval.ends);
         let knot = |i: usize| self.knot(k as isize + 1 + i as isize - p as isize, count);
         // The 2 p knots around the span that its control points depend on: p up to its start, and p

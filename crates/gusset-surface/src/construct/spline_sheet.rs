@@ -1,7 +1,7 @@
 //! Sheets of splines: the exact pieces of polynomial splines, and approximations of rational ones.
 
 use super::rational;
-use super::spline::{Interval, Spline, SplineOptions, border_knots};
+use super::spline::{Spline, SplineInterval, SplineOptions, border_knots};
 use crate::checks::finite_points;
 use crate::patches::Origin;
 use crate::{MAX_DEGREE, MAX_NODES, Patch, Patches, Sheet};
@@ -53,7 +53,7 @@ impl Sheet<'static> {
 /// The pieces of a polynomial spline.
 fn exact_patches<const N: usize>(
     spline: &Spline<'_>,
-    intervals: &[Vec<Interval>; 2],
+    intervals: &[Vec<SplineInterval>; 2],
     job: &Job<'_>,
 ) -> Result<Patches<N>> {
     let [p, q] = [0, 1].map(|k| spline.axes[k].degree);

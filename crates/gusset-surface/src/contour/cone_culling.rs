@@ -42,7 +42,7 @@ pub(super) fn may_have_angle(goals: &[f64], unsigned: bool, [low, high]: [f64; 2
 /// The blocks, row by row, for which `wanted` accepts the smallest and largest angle of the normals
 /// with a direction. If `wanted` accepts a range, it must accept every larger one.
 pub(super) fn blocks(cones: &Cones, direction: DVec3, wanted: impl Fn([f64; 2]) -> bool) -> Result<Vec<[u32; 2]>> {
-    let mut found = Vec::new();
+    let mut wanted_blocks = Vec::new();
     let mut waiting: Vec<[usize; 3]> = Vec::new();
     let last = cones.levels() - 1;
     (0..4).for_each(|k| waiting.push([last, k / 2, k % 2]));
@@ -52,13 +52,13 @@ pub(super) fn blocks(cones: &Cones, direction: DVec3, wanted: impl Fn([f64; 2]) 
             continue;
         }
         if level == 0 {
-            alloc::push(&mut found, [r as u32, c as u32])?;
+            alloc::push(&mut wanted_blocks, [r as u32, c as u32])?;
             continue;
         }
         (0..4).for_each(|k| waiting.push([level - 1, 2 * r + k / 2, 2 * c + k % 2]));
     }
-    found.sort_unstable();
-    Ok(found)
+    wanted_blocks.sort_unstable();
+    Ok(wanted_blocks)
 }
 
 #[cfg(test)]

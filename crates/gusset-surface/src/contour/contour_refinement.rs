@@ -12,11 +12,11 @@ use glam::{DVec2, DVec3};
 use gusset_base::geom::bernstein::value_and_slope_by_differences as value_and_slope;
 
 /// Largest number of halvings of an arc.
-const DEPTH: u32 = 12;
+const MAX_HALVINGS: u32 = 12;
 /// Fraction of `chord` that the middle and the quarters of an arc may be off the chord. Between
 /// them, a cubic is off by at most 1.1 times as much. Beside a pole, where parameters are very
 /// uneven, 1.15 times was observed.
-const SEEN_PART: f64 = 0.85;
+const SAMPLED_CHORD_SHARE: f64 = 0.85;
 
 /// An arc over its patch.
 struct Curve<'a, const N: usize, const M: usize> {
@@ -30,7 +30,7 @@ struct Curve<'a, const N: usize, const M: usize> {
 
 /// A place on the arc.
 #[derive(Clone, Copy)]
-struct Node {
+struct ArcPoint {
     at: DVec2,
     point: DVec3,
 }
@@ -74,7 +74,7 @@ pub(super) fn stays_near(corners: &[DVec3; 4], over: usize, slope: f64, deviatio
 }
 
 /// Residual of the field at a root that rounding may cause, in units of the field's rounding error.
-const RESIDUAL: f64 = 16.0;
+const MAX_RESIDUAL_ROUNDINGS: f64 = 16.0;
 
 /// The place of an arc at the middle of the parameter that it is a graph over. Returns `None` if
 /// the field does not vanish there, or the arc is not a graph.
@@ -94,8 +94,8 @@ pub(super) fn refine<const N: usize, const M: usize>(
     places: &mut Vec<DVec2>,
 ) -> Option<DVec2> {
     let curve = Curve { patch, field, graph: link.graph?, chord, rounding_error };
-    let [from, to] = [link.from.at, link.to.at].map(|at| Node { at, point: patch.point(at.x, at.y) });
-    curve.middle_node(from, to).and_then(|middle| curve.halve(from, middle, to, DEPTH, places)).err()
+    let [from, to] = [link.from.at, link.to.at].map(|at| ArcPoint { at, point: patch.point(at.x, at.y) });
+    curve.middle_node(from, to).and_then(|middle| curve.halve(from, middle, to, MAX_HALVINGS, places)).err()
 }
 
 /// The place of a graph at the mean of the parameters of two others. Returns the expected place as
@@ -115,21 +115,28 @@ fn middle_place<const M: usize>(
     at[1 - over] = bracketed(&c, range);
     let [value, slope] = value_and_slope(&c, at[1 - over]);
     // Adds the rounding of the parameter to the rounding of the field.
-    if value.abs() <= RESIDUAL * (rounding_error + f64::EPSILON * slope.abs()) { Ok(at) } else { Err(at) }
+    if value.abs() <= MAX_RESIDUAL_ROUNDINGS * (rounding_error + f64::EPSILON * slope.abs()) { Ok(at) } else { Err(at) }
 }
 
 impl<const N: usize, const M: usize> Curve<'_, N, M> {
     /// The place at the mean of the parameters of two others.
-    fn middle_node(&self, a: Node, b: Node) -> Result<Node, DVec2> {
+    fn middle_node(&self, a: ArcPoint, b: ArcPoint) -> Result<ArcPoint, DVec2> {
         let at = middle_place(self.field, self.graph, [a.at, b.at], self.rounding_error)?;
-        Ok(Node { at, point: self.patch.point(at.x, at.y) })
+        Ok(ArcPoint { at, point: self.patch.point(at.x, at.y) })
     }
 
     /// Adds the places needed between `from` and `to`, given the place between them.
-    fn halve(&self, from: Node, middle: Node, to: Node, depth: u32, places: &mut Vec<DVec2>) -> Result<(), DVec2> {
+    fn halve(
+        &self,
+        from: ArcPoint,
+        middle: ArcPoint,
+        to: ArcPoint,
+        depth: u32,
+        places: &mut Vec<DVec2>,
+    ) -> Result<(), DVec2> {
         let quarters = [self.middle_node(from, middle)?, self.middle_node(middle, to)?];
-        let limit = SEEN_PART * self.chord;
-        let far = |node: &Node| distance_squared(node.point, from.point, to.point) > limit * limit;
+        let limit = SAMPLED_CHORD_SHARE * self.chord;
+        let far = |node: &ArcPoint| distance_squared(node.point, from.point, to.point) > limit * limit;
         if depth == 0 || ![quarters[0], middle, quarters[1]].iter().any(far) {
             return Ok(());
         }

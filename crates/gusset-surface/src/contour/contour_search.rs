@@ -9,7 +9,7 @@ use super::contour_lattice::ContourLattice;
 use super::contour_refinement::{is_straight, middle, refine, stays_near};
 use super::corner_crossing::{CornerCrossing, chord_root, crossing_by_corners, roots};
 use super::side::{crossings, positive};
-use super::source::{CellBase, Continuity, CornerTest, Source};
+use super::source::{CellBase, Continuity, ContourSource, CornerTest};
 use crate::Patch;
 use crate::cells::Cells;
 use crate::subdivision::Field;
@@ -19,11 +19,11 @@ use gusset_base::job::Job;
 use gusset_base::{alloc, par};
 
 /// Number of blocks that a thread searches in one task.
-const CHUNK: usize = 16;
+const BLOCKS_PER_TASK: usize = 16;
 /// Number of blocks times levels that makes a short task.
-const MANY: usize = 1024;
+const LEVEL_BLOCKS_PER_TASK: usize = 1024;
 /// Number of tasks whose arcs are merged at once.
-const CHUNKS: usize = 256;
+const TASKS_PER_MERGE: usize = 256;
 
 /// An arc of a level's zero set over a cell.
 #[derive(Debug, Clone, Copy)]
@@ -119,7 +119,7 @@ struct CellLevel<'a, const M: usize> {
     corners: [bool; 4],
 }
 
-impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_, C, S, N, M> {
+impl<C: Cells<N>, S: ContourSource<M>, const N: usize, const M: usize> ContourSearch<'_, C, S, N, M> {
     /// Finds the arcs in the blocks `block(k)` for k < `count`, given as (row, column).
     pub(super) fn run(
         &self,
@@ -128,11 +128,11 @@ impl<C: Cells<N>, S: Source<M>, const N: usize, const M: usize> ContourSearch<'_
         job: &Job<'_>,
     ) -> Result<ContourArcs> {
         let mut found = ContourArcs::default();
-        for first in (0..count).step_by(CHUNK * CHUNKS) {
-            let blocks = (count - first).min(CHUNK * CHUNKS);
+        for first in (0..count).step_by(BLOCKS_PER_TASK * TASKS_PER_MERGE) {
+            let blocks = (count - first).min(BLOCKS_PER_TASK * TASKS_PER_MERGE);
             let part = job.part(first as f64 / count as f64, (first + blocks) as f64 / count as f64);
             // With many levels, a single block takes long.
-            let chunk = (MANY / self.source.level_count()).clamp(1, CHUNK);
+            let chunk = (LEVEL_BLOCKS_PER_TASK / self.source.level_count()).clamp(1, BLOCKS_PER_TASK);
             let parts = par::map_cancellable(&part, "contours", par::ranges(blocks, chunk), |range| {
                 let mut part = ContourArcs::default();
                 let (mut workspace, mut cache) = (CellWorkspace::default(), S::Cache::default());

@@ -52,7 +52,7 @@ pub(super) fn crossing_by_corners(corners: [f64; 4], slack: f64, rounding_error:
             if rise <= monotone && near <= slack + rounding_error {
                 return None;
             }
-        } else if rise <= STEEP * (slack + rounding_error) {
+        } else if rise <= MIN_RISE_SLACKS * (slack + rounding_error) {
             return None;
         } else {
             let rising = signs[end];
@@ -78,9 +78,9 @@ pub(super) fn chord_root(corners: [f64; 4], side: usize) -> f64 {
 /// If the rise is d >= 24 P, the slope is between 3/4 d and 5/4 d, and the second derivative at
 /// most 24 P <= d. The chord's root is within P / (3/4 d) <= 1/18 of the polynomial's root. A
 /// Newton step reduces an error e to at most 2/3 e^2: 3e-3, 3e-6, 5e-12, 2e-23.
-const STEEP: f64 = 24.0;
+const MIN_RISE_SLACKS: f64 = 24.0;
 /// Number of Newton steps.
-const NEWTON: usize = 4;
+const NEWTON_STEPS: usize = 4;
 
 /// Number of sides whose roots are computed together.
 pub(super) const LANES: usize = 8;
@@ -88,15 +88,15 @@ pub(super) const LANES: usize = 8;
 /// Computes the roots of cubic polynomials along sides that [`crossing_by_corners`] has proven to
 /// be crossed.
 pub(super) fn roots(sides: &[[f64; 4]], found: &mut Vec<f64>) {
-    simd::run(Roots { sides, found });
+    simd::run(RootKernel { sides, found });
 }
 
-struct Roots<'a> {
+struct RootKernel<'a> {
     sides: &'a [[f64; 4]],
     found: &'a mut Vec<f64>,
 }
 
-impl Kernel for Roots<'_> {
+impl Kernel for RootKernel<'_> {
     type Output = ();
 
     #[inline(always)]
@@ -123,7 +123,7 @@ fn newton(c: &[[f64; LANES]; 4], t: &mut [f64; LANES]) {
     for lane in 0..LANES {
         t[lane] = clamped(c[0][lane] / (c[0][lane] - c[3][lane]));
     }
-    for _ in 0..NEWTON {
+    for _ in 0..NEWTON_STEPS {
         for lane in 0..LANES {
             let [a, b, d, e] = [c[0][lane], c[1][lane], c[2][lane], c[3][lane]];
             let at = t[lane];

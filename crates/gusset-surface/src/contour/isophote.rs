@@ -14,7 +14,7 @@ use super::normals::squares;
 use super::paths::{ContourSet, add_points};
 use super::point_spacing::{PointSpacing, add_leus_points};
 use super::projected_normals::{Corners, ProjectedNormals, frame};
-use super::source::{CellBase, Continuity, Source, levels_between};
+use super::source::{CellBase, Continuity, ContourSource, levels_between};
 use crate::cells::Cells;
 use crate::checks::{check_ascending, unit_vector};
 use crate::ranges::angles;
@@ -30,14 +30,14 @@ use std::ops::Range;
 /// Sines and cosines below this count as 0.
 const MIN_SINE: f64 = 1e-8;
 /// Largest error of the angles of points caused by rounding, in radians.
-const ANGLE_TOLERANCE: f64 = 1e-6;
+const MAX_ANGLE_ERROR: f64 = 1e-6;
 /// Number of blocks that a thread searches in one task.
-const CHUNK: usize = 64;
+const BLOCKS_PER_TASK: usize = 64;
 
 /// The equation H = 0.
 struct Silhouette<'a, C, const N: usize>(&'a ProjectedNormals<'a, C, N>);
 
-impl<C: Cells<N>, const N: usize, const M: usize> Source<M> for Silhouette<'_, C, N> {
+impl<C: Cells<N>, const N: usize, const M: usize> ContourSource<M> for Silhouette<'_, C, N> {
     type Block = Corners;
     type Base = Field<M>;
     type Cache = ();
@@ -100,7 +100,7 @@ impl<C, const N: usize, const H: usize> Isophotes<'_, C, N, H> {
     }
 }
 
-impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for Isophotes<'_, C, N, H> {
+impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> ContourSource<M> for Isophotes<'_, C, N, H> {
     type Block = Corners;
     type Base = Squares<M>;
     type Cache = ();
@@ -232,10 +232,10 @@ impl Surface<'_> {
             }
         }
         let IsophoteSearch { curves, points, .. } = search;
-        let mut found = curves.paths(self, &job.part(0.9, 1.0))?;
-        add_points(self, &points, &mut found)?;
-        self.report_angles(axis, angles, unsigned, &mut found)?;
-        add_leus_points(found, spacing)
+        let mut isophotes = curves.paths(self, &job.part(0.9, 1.0))?;
+        add_points(self, &points, &mut isophotes)?;
+        self.report_angles(axis, angles, unsigned, &mut isophotes)?;
+        add_leus_points(isophotes, spacing)
     }
 
     /// Reports places of curves where the normal is regular, but makes another angle: once for
@@ -249,7 +249,7 @@ impl Surface<'_> {
                 let along = normal.dot(axis);
                 let angle = libm::atan2(normal.cross(axis).length(), if unsigned { along.abs() } else { along });
                 let known = last.is_some_and(|last| (last.sheet, last.cell) == (place.sheet, place.cell));
-                if (angle - goal).abs() > ANGLE_TOLERANCE
+                if (angle - goal).abs() > MAX_ANGLE_ERROR
                     && !known
                     && self.local_geometry(place).normal.kind == NormalKind::Regular
                 {
@@ -328,23 +328,23 @@ impl IsophoteSearch<'_> {
         let crossed = if classes.silhouettes.is_empty() { Vec::new() } else { blocks(&[0.5 * PI])? };
         for &number in &classes.silhouettes {
             let search = ContourSearch::<_, _, N, H> { cells, source: &Silhouette(&normals), lattice, chord };
-            let mut found = search.run(crossed.len(), |k| crossed[k], &next())?;
-            found.arcs.iter_mut().for_each(|arc| arc.level = number);
-            curves.add(k, found, &lattice, jumps, job.threads())?;
+            let mut contour_arcs = search.run(crossed.len(), |k| crossed[k], &next())?;
+            contour_arcs.arcs.iter_mut().for_each(|arc| arc.level = number);
+            curves.add(k, contour_arcs, &lattice, jumps, job.threads())?;
         }
         if !classes.others.is_empty() {
             let source = Isophotes::<C, N, H> { normals: &normals, classes };
             let crossed = blocks(&classes.radians)?;
             let search = ContourSearch::<_, _, N, M> { cells, source: &source, lattice, chord };
-            let mut found = search.run(crossed.len(), |k| crossed[k], &next())?;
-            found.arcs.iter_mut().for_each(|arc| arc.level = classes.numbers[arc.level as usize]);
-            curves.add(k, found, &lattice, jumps, job.threads())?;
+            let mut contour_arcs = search.run(crossed.len(), |k| crossed[k], &next())?;
+            contour_arcs.arcs.iter_mut().for_each(|arc| arc.level = classes.numbers[arc.level as usize]);
+            curves.add(k, contour_arcs, &lattice, jumps, job.threads())?;
         }
         if jumps {
             let (angles, unsigned) = (&classes.crossed, classes.unsigned);
             let unresolved = creases(&normals, cones, &lattice, angles, unsigned, &next())?;
-            let found = ContourArcs { unresolved, ..ContourArcs::default() };
-            curves.add(k, found, &lattice, true, job.threads())?;
+            let crease_arcs = ContourArcs { unresolved, ..ContourArcs::default() };
+            curves.add(k, crease_arcs, &lattice, true, job.threads())?;
         }
         for &(number, sign) in &classes.poles {
             let blocks = blocks(&[if sign > 0.0 { 0.0 } else { PI }])?;
@@ -368,7 +368,7 @@ fn poles<C: Cells<N>, const N: usize, const H: usize>(
     sign: f64,
     job: &Job<'_>,
 ) -> Result<Vec<Result<[Vec<Place>; 2]>>> {
-    par::map_cancellable(job, "contours", par::ranges(blocks.len(), CHUNK), |range| {
+    par::map_cancellable(job, "contours", par::ranges(blocks.len(), BLOCKS_PER_TASK), |range| {
         let mut found = [Vec::new(), Vec::new()];
         for &block in &blocks[range] {
             let (corners, cells) = normals.block(lattice, block);

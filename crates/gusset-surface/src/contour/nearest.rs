@@ -8,8 +8,8 @@
 //! theta.
 //!
 //! Invariant: the deviation of every discarded part is at least the best deviation less
-//! [`TOLERANCE`], or is included in the returned bound. Cost: about O(cells whose bound is below
-//! the answer), at most [`MAX_PARTS`] parts for each.
+//! [`ANGLE_TOLERANCE`], or is included in the returned bound. Cost: about O(cells whose bound is
+//! below the answer), at most [`MAX_PARTS`] parts for each.
 
 use super::cone_culling;
 use super::contour_lattice::ContourLattice;
@@ -32,13 +32,13 @@ use std::convert::Infallible;
 use std::f64::consts::PI;
 
 /// Accuracy to which the answer is proven, in radians.
-const TOLERANCE: f64 = 1e-9;
+const ANGLE_TOLERANCE: f64 = 1e-9;
 /// Largest number of halvings of each parameter of a cell, and of parts examined in it.
 const MAX_SUBDIVISION_DEPTH: u32 = 40;
 const MAX_PARTS: usize = 4096;
 /// Number of blocks that a thread searches in one task, and of tasks between two progress reports.
-const CHUNK: usize = 64;
-const CHUNKS: usize = 16;
+const BLOCKS_PER_TASK: usize = 64;
+const TASKS_PER_REPORT: usize = 16;
 /// Number of blocks of each level that are searched for a first bound.
 const BLOCKS_FOR_FIRST_BOUND: usize = 16;
 
@@ -199,25 +199,30 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
     ) -> Result<()> {
         let blocks = self.blocks(cones, lattice, best)?;
         let count = blocks.len();
-        for first in (0..count).step_by(CHUNK * CHUNKS) {
+        for first in (0..count).step_by(BLOCKS_PER_TASK * TASKS_PER_REPORT) {
             job.step(first as f64 / count as f64, "angles")?;
             let known = *best;
-            let parts = par::map(job.threads(), par::ranges((count - first).min(CHUNK * CHUNKS), CHUNK), |range| {
-                let (mut best, mut candidates) = (known, Vec::new());
-                for &[r, c] in &blocks[first..][range] {
-                    let cone = cones.get(0, r as usize, c as usize);
-                    if cone.is_some_and(|cone| self.goal.bound(cone.angles(self.normals.frame[2])) > best.deviation) {
-                        continue;
-                    }
-                    let (corners, cells) = self.normals.block(lattice, [r, c]);
-                    for cell in cells {
-                        if self.goal.bound(angles(&corners.ranges(cell), 0.0)) < best.deviation {
-                            self.cell(cell, &mut best, &mut candidates)?;
+            let parts = par::map(
+                job.threads(),
+                par::ranges((count - first).min(BLOCKS_PER_TASK * TASKS_PER_REPORT), BLOCKS_PER_TASK),
+                |range| {
+                    let (mut best, mut candidates) = (known, Vec::new());
+                    for &[r, c] in &blocks[first..][range] {
+                        let cone = cones.get(0, r as usize, c as usize);
+                        if cone.is_some_and(|cone| self.goal.bound(cone.angles(self.normals.frame[2])) > best.deviation)
+                        {
+                            continue;
+                        }
+                        let (corners, cells) = self.normals.block(lattice, [r, c]);
+                        for cell in cells {
+                            if self.goal.bound(angles(&corners.ranges(cell), 0.0)) < best.deviation {
+                                self.cell(cell, &mut best, &mut candidates)?;
+                            }
                         }
                     }
-                }
-                Ok((best, candidates))
-            })?;
+                    Ok((best, candidates))
+                },
+            )?;
             for part in parts {
                 let (found, some): (Best, Vec<CandidateCell>) = part?;
                 if found.deviation < best.deviation {
@@ -284,7 +289,7 @@ impl<const H: usize, const M: usize> Subdivision<NormalPart<H>, 4> for CellSearc
             // The normal does not exist here.
             return Ok(BoxTest::Empty);
         }
-        let proved = (self.best.deviation - TOLERANCE).max(0.0);
+        let proved = (self.best.deviation - ANGLE_TOLERANCE).max(0.0);
         let near = self.goal.bound(angles(&ranges, 0.0));
         if near >= proved || self.goal.is_beyond::<H, M>(&part.normal, proved) {
             self.bound = self.bound.min(near.max(proved));
@@ -349,7 +354,7 @@ impl Surface<'_> {
         let (last, mut bound) = (job.part(0.9, 1.0), f64::INFINITY);
         for (k, candidate) in candidates.iter().enumerate() {
             last.step_every(16, k, candidates.len(), "angles")?;
-            if candidate.bound >= (best.deviation - TOLERANCE).max(0.0) {
+            if candidate.bound >= (best.deviation - ANGLE_TOLERANCE).max(0.0) {
                 bound = bound.min(candidate.bound);
                 break;
             }

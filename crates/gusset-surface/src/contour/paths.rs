@@ -13,7 +13,7 @@ use gusset_base::sort;
 use gusset_base::{alloc, par};
 
 /// Number of places that a thread evaluates in one task.
-const CHUNK: usize = 1024;
+const PLACES_PER_TASK: usize = 1024;
 
 /// The paths of all sheets, and unresolved places.
 #[derive(Default)]
@@ -38,9 +38,9 @@ impl ContourSet {
 
     /// Joins the paths of all sheets. Sorts them by level, then by first path.
     pub(super) fn paths(self, surface: &Surface<'_>, job: &Job<'_>) -> Result<Paths> {
-        let all = SheetContours::new(surface, self.sheets, job)?;
+        let sheet_paths = SheetContours::new(surface, self.sheets, job)?;
         let tolerance = surface.tolerance();
-        let after = all.followers(tolerance)?;
+        let after = sheet_paths.followers(tolerance)?;
         let mut entered = alloc::filled(false, after.len())?;
         after.iter().flatten().for_each(|&k| entered[k] = true);
         let mut used = alloc::filled(false, after.len())?;
@@ -60,7 +60,7 @@ impl ContourSet {
         }
         sequences.sort_unstable();
         let mut paths = Paths { ends: vec![0], unresolved: self.unresolved, ..Paths::default() };
-        paths.reserve(all.places.len())?;
+        paths.reserve(sheet_paths.places.len())?;
         let mut sequence = Vec::new();
         for (_, first) in sequences {
             sequence.clear();
@@ -70,12 +70,12 @@ impl ContourSet {
                 at = after[contour].filter(|&next| next != first);
             }
             let last = sequence[sequence.len() - 1];
-            let closed = all.contours[first].closed || after[last] == Some(first);
+            let closed = sheet_paths.contours[first].closed || after[last] == Some(first);
             if !closed {
-                let ends = [all.contours[first].range[0], all.contours[last].range[1] - 1];
-                all.report_inner(surface, ends, &mut paths)?;
+                let ends = [sheet_paths.contours[first].range[0], sheet_paths.contours[last].range[1] - 1];
+                sheet_paths.report_inner(surface, ends, &mut paths)?;
             }
-            all.add(&sequence, closed, tolerance, &mut paths)?;
+            sheet_paths.add(&sequence, closed, tolerance, &mut paths)?;
         }
         keep_first_of_each_cell(&mut paths.unresolved)?;
         Ok(paths)
@@ -96,7 +96,10 @@ impl SheetContours {
         sort::stable(&mut contours, &|a, b| a.level.cmp(&b.level));
         let count = places.len();
         let (mut points, mut normals) = (alloc::filled(DVec3::ZERO, count)?, alloc::filled(DVec3::ZERO, count)?);
-        let parts = places.chunks(CHUNK).zip(points.chunks_mut(CHUNK)).zip(normals.chunks_mut(CHUNK));
+        let parts = places
+            .chunks(PLACES_PER_TASK)
+            .zip(points.chunks_mut(PLACES_PER_TASK))
+            .zip(normals.chunks_mut(PLACES_PER_TASK));
         par::map_cancellable(job, "points", parts, |((places, points), normals)| {
             surface.points_and_normals(places, points, normals);
         })?;
@@ -142,16 +145,16 @@ impl SheetContours {
     /// of the previous one. A path as small as a point is listed as unresolved.
     fn add(&self, contours: &[usize], closed: bool, tolerance: f64, paths: &mut Paths) -> Result<()> {
         let first = paths.points.len();
-        let all = || contours.iter().flat_map(|&k| self.contours[k].range[0]..self.contours[k].range[1]);
+        let point_numbers = || contours.iter().flat_map(|&k| self.contours[k].range[0]..self.contours[k].range[1]);
         let push = |at: usize, paths: &mut Paths| paths.push(self.places[at], self.points[at], self.normals[at]);
-        for at in all() {
+        for at in point_numbers() {
             let near = paths.points.len() > first
                 && paths.points.last().is_some_and(|last| last.distance(self.points[at]) <= tolerance);
             if !near {
                 push(at, paths)?;
             }
         }
-        let last = all().next_back();
+        let last = point_numbers().next_back();
         let ends = |paths: &Paths| paths.points.len() > first + 1;
         if closed {
             while ends(paths) && paths.points[paths.points.len() - 1].distance(paths.points[first]) <= tolerance {

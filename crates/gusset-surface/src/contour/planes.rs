@@ -32,11 +32,11 @@ pub(super) fn blocks(
     let shift = (index.origin() - point).dot(normal);
     let crossed = |[low, high]: [f64; 2]| !levels_between(offsets, [low + shift, high + shift], slack).is_empty();
     let levels = index.levels();
-    let mut found = Vec::new();
+    let mut crossed_blocks = Vec::new();
     let mut waiting = vec![(levels.len(), 0, 0)];
     while let Some((level, row, column)) = waiting.pop() {
         if level == 0 {
-            alloc::push(&mut found, [row as u32, column as u32])?;
+            alloc::push(&mut crossed_blocks, [row as u32, column as u32])?;
             continue;
         }
         let below = &levels[level - 1];
@@ -53,5 +53,5 @@ pub(super) fn blocks(
             }
         }
     }
-    Ok(found)
+    Ok(crossed_blocks)
 }

@@ -13,7 +13,7 @@ const MIN_INTERVAL: f64 = 1.0 / (1_u64 << 44) as f64;
 
 /// A sign change.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Crossing {
+pub(super) struct SignChange {
     pub(super) t: f64,
     /// True if the sign changes from minus to plus with increasing t.
     pub(super) rising: bool,
@@ -28,27 +28,27 @@ pub(super) fn positive(value: f64) -> bool {
 /// Finds the sign changes in ascending order. `ends` tells whether the ends count as positive. If
 /// the polynomial has another sign at an end, the sign changes at the end itself.
 #[inline]
-pub(super) fn crossings<const M: usize>(c: &[f64; M], ends: [bool; 2], mut found: impl FnMut(Crossing)) {
+pub(super) fn crossings<const M: usize>(c: &[f64; M], ends: [bool; 2], mut found: impl FnMut(SignChange)) {
     let [start, end] = [positive(c[0]), positive(c[M - 1])];
     if start != ends[0] {
-        found(Crossing { t: 0.0, rising: start });
+        found(SignChange { t: 0.0, rising: start });
     }
     isolate(c, &mut found);
     if end != ends[1] {
-        found(Crossing { t: 1.0, rising: ends[1] });
+        found(SignChange { t: 1.0, rising: ends[1] });
     }
 }
 
 /// Finds the sign changes in the interior.
 #[inline]
-fn isolate<const M: usize>(c: &[f64; M], found: &mut impl FnMut(Crossing)) {
+fn isolate<const M: usize>(c: &[f64; M], found: &mut impl FnMut(SignChange)) {
     bisect(&mut c.clone(), [0.0, 1.0], &mut |c, [from, to]| {
         let rising = positive(c[M - 1]);
         match sign_changes(c.iter().map(|&x| positive(x))) {
             0 => return false,
-            1 => found(Crossing { t: from + (to - from) * bracketed(c, [0.0, 1.0]), rising }),
+            1 => found(SignChange { t: from + (to - from) * bracketed(c, [0.0, 1.0]), rising }),
             _ if to - from > MIN_INTERVAL => return true,
-            _ if positive(c[0]) != rising => found(Crossing { t: 0.5 * (from + to), rising }),
+            _ if positive(c[0]) != rising => found(SignChange { t: 0.5 * (from + to), rising }),
             _ => {}
         }
         false
@@ -104,7 +104,7 @@ pub(super) fn bracketed<const M: usize>(c: &[f64; M], [low, high]: [f64; 2]) -> 
 mod tests {
     use super::*;
 
-    fn all_crossings<const M: usize>(c: [f64; M], ends: [bool; 2]) -> Vec<Crossing> {
+    fn all_crossings<const M: usize>(c: [f64; M], ends: [bool; 2]) -> Vec<SignChange> {
         let mut list = Vec::new();
         crossings(&c, ends, |crossing| list.push(crossing));
         list
@@ -114,7 +114,7 @@ mod tests {
     fn signs_at_the_ends_are_kept() {
         // A line through 1/2, with true and with false signs at its ends.
         let line = [-1.0, -1.0 / 3.0, 1.0 / 3.0, 1.0];
-        assert_eq!(all_crossings(line, [false, true]), [Crossing { t: 0.5, rising: true }]);
+        assert_eq!(all_crossings(line, [false, true]), [SignChange { t: 0.5, rising: true }]);
         for ends in [[true, true], [false, false], [true, false]] {
             let list = all_crossings(line, ends);
             let mut sign = ends[0];
@@ -127,7 +127,7 @@ mod tests {
         // The zero polynomial is positive. A value 0 at the start of a negative polynomial is a
         // root there.
         assert!(all_crossings([0.0; 4], [true, true]).is_empty());
-        assert_eq!(all_crossings([0.0, -1.0, -1.0, -1.0], [true, false]), [Crossing { t: 0.0, rising: false }]);
+        assert_eq!(all_crossings([0.0, -1.0, -1.0, -1.0], [true, false]), [SignChange { t: 0.0, rising: false }]);
         // The polynomial is 0 at an end, positive next to it, and changes sign elsewhere.
         let [inner] = all_crossings([-1.0, -0.1, 0.3, 0.0], [false, true])[..] else { panic!() };
         assert!(inner.rising && inner.t < 0.9 && value_and_slope(&[-1.0, -0.1, 0.3, 0.0], inner.t)[0].abs() < 1e-15);

@@ -19,7 +19,7 @@ pub(super) enum Continuity {
 }
 
 /// A field over each cell, for a number of levels.
-pub(super) trait Source<const M: usize>: Sync {
+pub(super) trait ContourSource<const M: usize>: Sync {
     /// The data that the cells of a block share.
     type Block;
     /// The data that the levels of a cell share.
@@ -42,7 +42,7 @@ pub(super) trait Source<const M: usize>: Sync {
     }
 
     /// The coefficients of the field along a side, bit for bit as in the cell's field. Only for
-    /// sources with [`Source::corner_test`].
+    /// sources with [`ContourSource::corner_test`].
     #[inline]
     fn side_coefficients(&self, _cell: [usize; 2], _side: usize, _level: usize) -> [f64; 4] {
         [0.0; 4]
@@ -123,12 +123,12 @@ pub(super) fn levels_between(levels: &[f64], [low, high]: [f64; 2], slack: f64) 
 }
 
 /// Number of nodes in one direction that the cells of a block depend on.
-const WINDOW: usize = BLOCK + TAPS - 1;
+const NODES_PER_WINDOW: usize = BLOCK + TAPS - 1;
 
 /// The scalars that the cells of a block depend on, and their weights.
 pub(super) struct ScalarWindow {
     start: [usize; 2],
-    values: [[f64; WINDOW]; WINDOW],
+    values: [[f64; NODES_PER_WINDOW]; NODES_PER_WINDOW],
     /// By direction and cell: the index of its first node.
     first: [[usize; BLOCK]; 2],
     rows: [[[f64; TAPS]; 4]; BLOCK],
@@ -140,12 +140,12 @@ impl ScalarWindow {
     fn new(axes: [&Axis; 2], cells: &[Range<usize>; 2], value: impl Fn(usize, usize) -> f64) -> Self {
         let mut window = ScalarWindow {
             start: [cells[0].start, cells[1].start],
-            values: [[0.0; WINDOW]; WINDOW],
+            values: [[0.0; NODES_PER_WINDOW]; NODES_PER_WINDOW],
             first: [[0; BLOCK]; 2],
             rows: [[[0.0; TAPS]; 4]; BLOCK],
             columns: [[[0.0; 4]; TAPS]; BLOCK],
         };
-        let mut lines = [[0; WINDOW]; 2];
+        let mut lines = [[0; NODES_PER_WINDOW]; 2];
         let mut counts = [0; 2];
         for (d, (axis, range)) in axes.into_iter().zip(cells).enumerate() {
             let ([origin, ..], _) = axis.taps(range.start);
@@ -255,7 +255,7 @@ pub(super) struct Nodal<'a, F, D> {
     pub(super) deviation: D,
 }
 
-impl<F, D> Source<4> for Nodal<'_, F, D>
+impl<F, D> ContourSource<4> for Nodal<'_, F, D>
 where
     F: Fn(usize, usize) -> f64 + Sync,
     D: Fn(usize, usize) -> f64 + Sync,
@@ -369,7 +369,7 @@ pub(super) struct Plane<'a, C, const N: usize> {
     pub(super) rounding_error: f64,
 }
 
-impl<C: Cells<N>, const N: usize> Source<N> for Plane<'_, C, N> {
+impl<C: Cells<N>, const N: usize> ContourSource<N> for Plane<'_, C, N> {
     type Block = ();
     type Base = Field<N>;
     type Cache = ();

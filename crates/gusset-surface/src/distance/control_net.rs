@@ -86,8 +86,8 @@ impl<'a> ControlNet<'a> {
         let mut across = [[DVec3::ZERO; LINE]; 3];
         for b in 0..columns {
             (0..rows).for_each(|a| work[a] = self.control_point(a, b));
-            let found = derivatives(&mut work[..rows], u);
-            across.iter_mut().zip(found).for_each(|(row, found)| row[b] = found);
+            let column_derivatives = derivatives(&mut work[..rows], u);
+            across.iter_mut().zip(column_derivatives).for_each(|(row, derivative)| row[b] = derivative);
         }
         let [point, v1, vv] = derivatives(&mut across[0][..columns], v);
         let [u1, uv, _] = derivatives(&mut across[1][..columns], v);
@@ -99,16 +99,16 @@ impl<'a> ControlNet<'a> {
     pub(super) fn balls(&self) -> Balls {
         let [rows, columns] = self.shape;
         let degree = self.shape.map(|count| (count - 1) as f64);
-        let all = |rows: usize, columns: usize| (0..rows).flat_map(move |a| (0..columns).map(move |b| (a, b)));
+        let indices = |rows: usize, columns: usize| (0..rows).flat_map(move |a| (0..columns).map(move |b| (a, b)));
         let p = |a: usize, b: usize| self.control_point(a, b);
-        let u = all(rows - 1, columns).map(|(a, b)| degree[0] * (p(a + 1, b) - p(a, b)));
-        let v = all(rows, columns - 1).map(|(a, b)| degree[1] * (p(a, b + 1) - p(a, b)));
+        let u = indices(rows - 1, columns).map(|(a, b)| degree[0] * (p(a + 1, b) - p(a, b)));
+        let v = indices(rows, columns - 1).map(|(a, b)| degree[1] * (p(a, b + 1) - p(a, b)));
         let again = degree.map(|degree| degree * (degree - 1.0));
-        let uu = all(rows.saturating_sub(2), columns);
+        let uu = indices(rows.saturating_sub(2), columns);
         let uu = uu.map(|(a, b)| again[0] * (p(a + 2, b) - 2.0 * p(a + 1, b) + p(a, b)));
-        let vv = all(rows, columns.saturating_sub(2));
+        let vv = indices(rows, columns.saturating_sub(2));
         let vv = vv.map(|(a, b)| again[1] * (p(a, b + 2) - 2.0 * p(a, b + 1) + p(a, b)));
-        let uv = all(rows - 1, columns - 1);
+        let uv = indices(rows - 1, columns - 1);
         let uv = uv.map(|(a, b)| degree[0] * degree[1] * (p(a + 1, b + 1) - p(a + 1, b) - p(a, b + 1) + p(a, b)));
         Balls {
             point: Ball::from_vectors(self.points.iter().copied()),

@@ -14,9 +14,9 @@ pub(super) type Parameters = [f64; 4];
 type Square = [[f64; 4]; 4];
 
 /// A step shorter than this, in parameters, is the last one.
-const LAST_STEP: f64 = 1e-13;
+const LAST_STEP_LENGTH: f64 = 1e-13;
 /// The smallest fraction of a step that is tried.
-const SHORTEST: f64 = 1e-4;
+const MIN_STEP_SHARE: f64 = 1e-4;
 /// Smallest pivot of a matrix with unit diagonal that counts as positive.
 const MIN_PIVOT: f64 = 1e-10;
 
@@ -69,14 +69,14 @@ impl NetPair<'_> {
                     break Some(next);
                 }
                 length *= 0.25;
-                if length < SHORTEST {
+                if length < MIN_STEP_SHARE {
                     break None;
                 }
             };
             let Some(next) = next else { break };
             let moved = (0..4).map(|k| (next.at[k] - best.at[k]).abs()).fold(0.0, f64::max);
             best = next;
-            if moved <= LAST_STEP {
+            if moved <= LAST_STEP_LENGTH {
                 break;
             }
         }
@@ -128,8 +128,8 @@ impl Value {
             hessian[offset + 1][offset + 1] += vv;
         }
         (0..4).for_each(|k| first[k][k] *= 1.0 + 1e-3);
-        let found = solve(&hessian, gradient, free).or_else(|| solve(&first, gradient, free));
-        found.filter(|step| step.iter().all(|x| x.is_finite()) && step.iter().any(|&x| x != 0.0))
+        let newton_step = solve(&hessian, gradient, free).or_else(|| solve(&first, gradient, free));
+        newton_step.filter(|step| step.iter().all(|x| x.is_finite()) && step.iter().any(|&x| x != 0.0))
     }
 }
 

@@ -39,7 +39,7 @@ pub(super) const STAGE: &str = "distance";
 
 /// A pair of pieces, and a start for the descent.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Pair {
+pub(super) struct PiecePair {
     a: usize,
     b: usize,
     start: Parameters,
@@ -63,12 +63,12 @@ pub(super) struct DistanceSearch<'a> {
     pub(super) job: &'a Job<'a>,
     pub(super) best: Option<Nearest>,
     /// The pair of pieces of `best`, and its place there.
-    last: Option<(Pair, Value)>,
+    last: Option<(PiecePair, Value)>,
     /// The smallest bound of settled pairs.
     pub(super) settled: f64,
     pub(super) pairs: usize,
     pairs_at_gain: usize,
-    frontier: Frontier<Pair, (u32, usize, usize)>,
+    frontier: Frontier<PiecePair, (u32, usize, usize)>,
     depth: u32,
 }
 
@@ -142,7 +142,7 @@ impl<'a> DistanceSearch<'a> {
             self.a.start_parameters(a, corners, |corner| corner.a),
             self.b.start_parameters(b, corners, |corner| corner.b),
         );
-        let pair = Pair { a, b, start: [u, v, s, t] };
+        let pair = PiecePair { a, b, start: [u, v, s, t] };
         // Among equal bounds, the latest pair comes first: where hulls meet, this leads straight to
         // points that meet.
         self.depth = self.depth.saturating_add(1);
@@ -150,21 +150,21 @@ impl<'a> DistanceSearch<'a> {
     }
 
     /// Records a point on each side, if it is closer than the best pair.
-    fn add(&mut self, pair: &Pair, value: &Value) {
+    fn add(&mut self, pair: &PiecePair, value: &Value) {
         let [u, v, s, t] = value.at;
-        let found =
+        let nearest_pair =
             Nearest { distance: value.distance, a: self.a.place(pair.a, [u, v]), b: self.b.place(pair.b, [s, t]) };
         let key = |nearest: &Nearest| (nearest.distance, nearest.a, nearest.b);
-        if self.best.is_none_or(|best| key(&found) < key(&best)) {
-            if found.distance < self.distance() * (1.0 - MIN_RELATIVE_GAIN) {
+        if self.best.is_none_or(|best| key(&nearest_pair) < key(&best)) {
+            if nearest_pair.distance < self.distance() * (1.0 - MIN_RELATIVE_GAIN) {
                 self.pairs_at_gain = self.pairs;
             }
-            (self.best, self.last) = (Some(found), Some((*pair, *value)));
+            (self.best, self.last) = (Some(nearest_pair), Some((*pair, *value)));
         }
     }
 
     /// Examines a pair of nets. Returns its bound, which may be better than the known one.
-    fn examine(&mut self, pair: &Pair, bound: f64) -> f64 {
+    fn examine(&mut self, pair: &PiecePair, bound: f64) -> f64 {
         let balls = [self.a.balls(pair.a), self.b.balls(pair.b)];
         let (Some(a), Some(b)) = (self.a.net(pair.a), self.b.net(pair.b)) else { return bound };
         let nets = NetPair { a, b };
@@ -183,7 +183,7 @@ impl<'a> DistanceSearch<'a> {
     }
 
     /// Selects the piece to divide (true for A), and the parameter to divide it along.
-    fn choose_division(&mut self, pair: &Pair) -> (bool, usize) {
+    fn choose_division(&mut self, pair: &PiecePair) -> (bool, usize) {
         let (of_a, of_b) = (self.a.coarseness(pair.a), self.b.coarseness(pair.b));
         if of_a.0.max(of_b.0) > 1e-3 * self.tolerance {
             return if of_a.0 >= of_b.0 { (true, of_a.1) } else { (false, of_b.1) };
@@ -198,11 +198,11 @@ impl<'a> DistanceSearch<'a> {
 }
 
 impl BranchAndBound for DistanceSearch<'_> {
-    type Task = Pair;
+    type Task = PiecePair;
     type Key = (u32, usize, usize);
     type Stop = Error;
 
-    fn frontier(&mut self) -> &mut Frontier<Pair, (u32, usize, usize)> {
+    fn frontier(&mut self) -> &mut Frontier<PiecePair, (u32, usize, usize)> {
         &mut self.frontier
     }
 
@@ -215,7 +215,7 @@ impl BranchAndBound for DistanceSearch<'_> {
         bound < self.limit() && distance > self.rounding && !(is_spent && distance.is_finite())
     }
 
-    fn branch(&mut self, bound: f64, pair: Pair) -> Result<()> {
+    fn branch(&mut self, bound: f64, pair: PiecePair) -> Result<()> {
         self.pairs += 1;
         if self.pairs.is_multiple_of(PAIRS_PER_STEP) {
             self.job.step(self.pairs as f64 / (2 * MAX_PAIRS) as f64, STAGE)?;

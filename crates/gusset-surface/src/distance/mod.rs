@@ -26,7 +26,7 @@ use gusset_base::geom::Aabb;
 use gusset_base::geom::scale::floor_to_power_of_two;
 use gusset_base::job::Job;
 use gusset_curve::{CurveView, Place as CurvePlace};
-use pieces::{Pieces, Source, View, Whereabouts};
+use pieces::{DistanceSide, Pieces, View, Whereabouts};
 
 /// The nearest points of a surface and another object. `T` is the type of places on the object.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -110,12 +110,12 @@ impl Surface<'_> {
             // surface.
             let points = ends.map(at);
             let view = CurveView::new(&points, &[0, 1], false)?;
-            self.distance_to(Source::Curve(&view), self.unprojected_view(), &points, tolerance, job)?
+            self.distance_to(DistanceSide::Curve(&view), self.unprojected_view(), &points, tolerance, job)?
         } else {
             let (u, v) = along.any_orthonormal_pair();
             let near = at(0.5 * (ends[0] + ends[1]));
             let across = DMat3::from_cols(u, v, DVec3::ZERO).transpose();
-            self.distance_to(Source::Point, (near, across), &[near], tolerance, job)?
+            self.distance_to(DistanceSide::Point, (near, across), &[near], tolerance, job)?
         };
         let t = if is_cut { ends[0] + (ends[1] - ends[0]) * found.b.at[0] } else { 0.0 };
         let mut approach = found.approach(self, t, at(t));
@@ -144,11 +144,11 @@ impl Surface<'_> {
         check_size(point, "point")?;
         let normal = unit_vector(normal, "normal")?;
         let across = DMat3::from_cols(DVec3::ZERO, DVec3::ZERO, normal).transpose();
-        let found = self.distance_to(Source::Point, (point, across), &[point], tolerance, job)?;
-        let mut approach = found.approach(self, 0.0, DVec3::ZERO);
+        let nearest = self.distance_to(DistanceSide::Point, (point, across), &[point], tolerance, job)?;
+        let mut approach = nearest.approach(self, 0.0, DVec3::ZERO);
         let height = normal.dot(approach.point - point);
         approach.other_point = approach.point - height * normal;
-        approach.other = found.distance.copysign(height);
+        approach.other = nearest.distance.copysign(height);
         Ok(approach)
     }
 
@@ -168,9 +168,10 @@ impl Surface<'_> {
             return Err(Error::EmptyCurve);
         }
         curve.points().iter().try_for_each(|&point| check_size(point, "curve"))?;
-        let found = self.distance_to(Source::Curve(curve), self.unprojected_view(), curve.points(), tolerance, job)?;
-        let at = CurvePlace { segment: found.b.number as u32, t: found.b.at[0] };
-        Ok(found.approach(self, at, curve.point(at)?))
+        let nearest =
+            self.distance_to(DistanceSide::Curve(curve), self.unprojected_view(), curve.points(), tolerance, job)?;
+        let at = CurvePlace { segment: nearest.b.number as u32, t: nearest.b.at[0] };
+        Ok(nearest.approach(self, at, curve.point(at)?))
     }
 
     /// Finds the nearest points of two surfaces. The default tolerance is the larger of the two.
@@ -186,10 +187,10 @@ impl Surface<'_> {
         job: &Job<'_>,
     ) -> Result<Approach<Place>> {
         let tolerance = tolerance.unwrap_or(self.tolerance().max(other.tolerance()));
-        let source = Source::Surface(other);
-        let found = self.distance_to(source, self.unprojected_view(), &other.corners(), Some(tolerance), job)?;
-        let at = place(&found.b);
-        Ok(found.approach(self, at, other.jet(at).point))
+        let source = DistanceSide::Surface(other);
+        let nearest = self.distance_to(source, self.unprojected_view(), &other.corners(), Some(tolerance), job)?;
+        let at = place(&nearest.b);
+        Ok(nearest.approach(self, at, other.jet(at).point))
     }
 
     /// The corners of the bounding box.
@@ -206,7 +207,7 @@ impl Surface<'_> {
     /// Searches in a view. `extent` are points whose hull contains the other side.
     fn distance_to(
         &self,
-        other: Source<'_>,
+        other: DistanceSide<'_>,
         (origin, turned): (DVec3, DMat3),
         extent: &[DVec3],
         tolerance: Option<f64>,
@@ -215,14 +216,14 @@ impl Surface<'_> {
         job.step(0.0, STAGE)?;
         let tolerance = tolerance.unwrap_or(self.tolerance());
         Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)?;
-        let all = || self.corners().into_iter().chain(extent.iter().copied());
-        let reach = all().map(|point| (point - origin).abs().max_element()).fold(0.0, f64::max);
-        let largest = all().map(|point| point.abs().max_element()).fold(origin.abs().max_element(), f64::max);
+        let all_points = || self.corners().into_iter().chain(extent.iter().copied());
+        let reach = all_points().map(|point| (point - origin).abs().max_element()).fold(0.0, f64::max);
+        let largest = all_points().map(|point| point.abs().max_element()).fold(origin.abs().max_element(), f64::max);
         let unit = if reach > 0.0 { floor_to_power_of_two(reach) } else { 1.0 };
         let rounding = 32.0 * f64::EPSILON * (largest / unit);
         let tolerance = (tolerance / unit).max(4.0 * rounding);
         let view = View { origin, turned, unit };
-        let sides = [Pieces::new(Source::Surface(self), view)?, Pieces::new(other, view)?];
+        let sides = [Pieces::new(DistanceSide::Surface(self), view)?, Pieces::new(other, view)?];
         let mut search = DistanceSearch::new(sides, tolerance, rounding, job);
         let bound = search.find()?;
         // Every search examines a pair of nets before it may end.

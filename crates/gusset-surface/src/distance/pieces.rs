@@ -35,7 +35,7 @@ impl View {
 
 /// One side of a search.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Source<'a> {
+pub(super) enum DistanceSide<'a> {
     Surface(&'a Surface<'a>),
     Curve(&'a CurveView<'a>),
     /// The origin of the view.
@@ -86,7 +86,7 @@ pub(super) struct Piece {
 /// The pieces of one side of a search.
 #[derive(Debug)]
 pub(super) struct Pieces<'a> {
-    source: Source<'a>,
+    source: DistanceSide<'a>,
     view: View,
     points: Vec<DVec3>,
     pieces: Vec<Piece>,
@@ -94,12 +94,12 @@ pub(super) struct Pieces<'a> {
 
 impl<'a> Pieces<'a> {
     /// Creates piece 0, which is the whole side.
-    pub(super) fn new(source: Source<'a>, view: View) -> Result<Self> {
+    pub(super) fn new(source: DistanceSide<'a>, view: View) -> Result<Self> {
         let mut made = Pieces { source, view, points: Vec::new(), pieces: Vec::new() };
         match source {
-            Source::Surface(surface) => made.add_range(0, surface.len())?,
-            Source::Curve(curve) => made.add_range(0, curve.len())?,
-            Source::Point => made.add_net(&[DVec3::ZERO], [1, 1], Whereabouts::default(), [1.0; 2])?,
+            DistanceSide::Surface(surface) => made.add_range(0, surface.len())?,
+            DistanceSide::Curve(curve) => made.add_range(0, curve.len())?,
+            DistanceSide::Point => made.add_net(&[DVec3::ZERO], [1, 1], Whereabouts::default(), [1.0; 2])?,
         }
         Ok(made)
     }
@@ -109,9 +109,9 @@ impl<'a> Pieces<'a> {
         if let Some(known) = self.pieces[piece].balls {
             return known;
         }
-        let found = self.net(piece).map_or_else(Balls::default, |net| net.balls());
-        self.pieces[piece].balls = Some(found);
-        found
+        let balls = self.net(piece).map_or_else(Balls::default, |net| net.balls());
+        self.pieces[piece].balls = Some(balls);
+        balls
     }
 
     pub(super) fn hull(&self, piece: usize) -> &[DVec3] {
@@ -125,8 +125,9 @@ impl<'a> Pieces<'a> {
 
     /// The control net, if the piece is a net.
     pub(super) fn net(&self, piece: usize) -> Option<ControlNet<'_>> {
-        let found = &self.pieces[piece];
-        matches!(found.kind, Kind::ControlNet).then(|| ControlNet { points: self.hull(piece), shape: found.shape })
+        let net_piece = &self.pieces[piece];
+        matches!(net_piece.kind, Kind::ControlNet)
+            .then(|| ControlNet { points: self.hull(piece), shape: net_piece.shape })
     }
 
     /// The number of control points stored.
@@ -237,27 +238,25 @@ impl<'a> Pieces<'a> {
     /// Adds sheets or segments. A single segment is added as a net.
     fn add_range(&mut self, from: usize, to: usize) -> Result<()> {
         let bounds = match self.source {
-            Source::Surface(surface) => {
+            DistanceSide::Surface(surface) => {
                 (from..to).map(|k| surface.indexed(k).1.bounds()).fold(Aabb::EMPTY, Aabb::union)
             }
-            Source::Curve(curve) if to - from == 1 => {
+            DistanceSide::Curve(curve) if to - from == 1 => {
                 let points = alloc::collect(curve.segment(from).iter().map(|&point| self.view.map(point)))?;
                 // A segment whose points coincide lacks a parameter.
                 let count = if points.iter().all(|&point| point == points[0]) { 1 } else { points.len() };
                 let whereabouts = Whereabouts { number: from, ..Whereabouts::default() };
                 return self.add_net(&points[..count], [count, 1], whereabouts, [1.0; 2]);
             }
-            Source::Curve(curve) => {
-                (from..to).map(|k| Aabb::from_points(curve.segment(k))).fold(Aabb::EMPTY, Aabb::union)
-            }
-            Source::Point => Aabb::EMPTY,
+            DistanceSide::Curve(curve) => (from..to).map(|k| Aabb::from_points(curve.segment(k))).fold(Aabb::EMPTY, Aabb::union),
+            DistanceSide::Point => Aabb::EMPTY,
         };
         self.add_box(Kind::Range { from, to }, corners(&bounds))
     }
 
     /// Adds the top block of a sheet.
     fn add_root_block(&mut self, sheet: usize) -> Result<()> {
-        let Source::Surface(surface) = self.source else { return Ok(()) };
+        let DistanceSide::Surface(surface) = self.source else { return Ok(()) };
         let (_, index) = surface.indexed(sheet);
         let kind = Kind::Block { sheet, level: index.levels().len(), row: 0, column: 0 };
         self.add_box(kind, corners(&index.bounds()))
@@ -265,7 +264,7 @@ impl<'a> Pieces<'a> {
 
     /// Adds the children of a block, with their oriented boxes if they exist.
     fn add_blocks(&mut self, sheet: usize, level: usize, [row, column]: [usize; 2]) -> Result<()> {
-        let Source::Surface(surface) = self.source else { return Ok(()) };
+        let DistanceSide::Surface(surface) = self.source else { return Ok(()) };
         let (_, index) = surface.indexed(sheet);
         let below = &index.levels()[level - 1];
         for child in 0..4 {
@@ -282,7 +281,7 @@ impl<'a> Pieces<'a> {
 
     /// Adds the cells of a block.
     fn add_cells(&mut self, sheet: usize, block: [usize; 2]) -> Result<()> {
-        let Source::Surface(surface) = self.source else { return Ok(()) };
+        let DistanceSide::Surface(surface) = self.source else { return Ok(()) };
         let (kind, view) = (surface.sheet(sheet), self.view);
         for cell in cells_of_block(block, kind.cells()) {
             let whereabouts = Whereabouts { number: sheet, cell, at: [0.0; 2] };

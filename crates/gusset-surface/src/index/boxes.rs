@@ -123,21 +123,21 @@ impl OrientedBox {
         let across = along_v.try_normalize().map_or(DVec3::ZERO, |second| first.cross(second));
         let normal = if across.length() > 1e-4 { across.normalize() } else { first.any_orthonormal_vector() };
         let second = normal.cross(first);
-        let mut found = OrientedBox { centre: [0.0; 3], axes: [single(first), single(second)], half: [0.0; 3] };
+        let mut oriented = OrientedBox { centre: [0.0; 3], axes: [single(first), single(second)], half: [0.0; 3] };
         // The box is computed for the axes in use, which are rounded.
-        let axes = found.frame();
+        let axes = oriented.frame();
         let bounds = Aabb::from_points(points.iter().map(|&point| axes * point));
         // The extent of the displacements along the axes.
         let (middle, half) = (by.centre(), 0.5 * by.size());
         let reach = DVec3::from_array([0, 1, 2].map(|k| axes.row(k).abs().dot(half)));
         let bounds = bounds.sum(Aabb { low: axes * middle - reach, high: axes * middle + reach });
         let middle = axes.transpose() * bounds.centre();
-        found.centre = single(middle);
-        let centre = axes * double(found.centre);
+        oriented.centre = single(middle);
+        let centre = axes * double(oriented.centre);
         let reach = (bounds.high - centre).abs().max((centre - bounds.low).abs());
         // The axes are orthonormal to 1e-7, and so are lengths along them.
-        found.half = reach.to_array().map(|half| round_up(half * (1.0 + 1e-6)));
-        found
+        oriented.half = reach.to_array().map(|half| round_up(half * (1.0 + 1e-6)));
+        oriented
     }
 
     /// A matrix whose rows are the axes.

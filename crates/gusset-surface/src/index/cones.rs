@@ -106,11 +106,11 @@ impl NormalCone {
 /// The cones of a sheet: of its blocks, then of each level like the pyramid's.
 #[derive(Debug)]
 pub(crate) struct Cones {
-    levels: Vec<Level>,
+    levels: Vec<ConeLevel>,
 }
 
 #[derive(Debug)]
-struct Level {
+struct ConeLevel {
     columns: usize,
     cones: Vec<PackedCone>,
 }
@@ -135,7 +135,7 @@ impl Cones {
         })?
         .into_iter()
         .collect::<Result<()>>()?;
-        let mut levels = vec![Level { columns, cones: base }];
+        let mut levels = vec![ConeLevel { columns, cones: base }];
         while let Some(last) = levels.last().filter(|last| last.columns > 2 || last.cones.len() > 2 * last.columns) {
             levels.push(last.next_level()?);
         }
@@ -166,8 +166,8 @@ impl Cones {
     }
 }
 
-impl Level {
-    fn next_level(&self) -> Result<Level> {
+impl ConeLevel {
+    fn next_level(&self) -> Result<ConeLevel> {
         let (below, columns) = (self.cones.len() / self.columns, self.columns.div_ceil(2));
         let mut cones = alloc::with_capacity(below.div_ceil(2) * columns)?;
         for (r, c) in (0..below.div_ceil(2)).flat_map(|r| (0..columns).map(move |c| (r, c))) {
@@ -180,7 +180,7 @@ impl Level {
             }
             cones.push(PackedCone::enclosing(&four[..count]));
         }
-        Ok(Level { columns, cones })
+        Ok(ConeLevel { columns, cones })
     }
 }
 

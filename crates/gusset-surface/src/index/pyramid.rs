@@ -19,7 +19,7 @@ const ORIENTED_LEVELS: usize = 4;
 pub(crate) struct Pyramid {
     origin: DVec3,
     /// The levels, from the blocks up to the root's four children.
-    levels: Vec<Level>,
+    levels: Vec<BoxLevel>,
     /// For each block, a box of the vectors from the bilinear patches of its cells to the surface.
     displacements: Vec<PackedBox>,
     cones: OnceLock<Cones>,
@@ -55,7 +55,7 @@ impl PackedBox {
 
 /// The boxes of one level.
 #[derive(Debug)]
-pub(crate) struct Level {
+pub(crate) struct BoxLevel {
     rows: usize,
     columns: usize,
     /// Indexed by the block of the level above.
@@ -63,9 +63,9 @@ pub(crate) struct Level {
     oriented: Vec<OrientedBox>,
 }
 
-impl Level {
+impl BoxLevel {
     fn new(rows: usize, columns: usize, oriented: bool) -> Result<Self> {
-        Ok(Level {
+        Ok(BoxLevel {
             rows,
             columns,
             child_boxes: alloc::filled(ChildBoxes::EMPTY, rows.div_ceil(2) * columns.div_ceil(2))?,
@@ -97,7 +97,7 @@ impl Pyramid {
     pub(crate) fn build<const N: usize>(cells: &impl Cells<N>, job: &Job<'_>) -> Result<Self> {
         let [rows, columns] = cells.counts().map(|count| count.div_ceil(BLOCK));
         let origin = middle(cells);
-        let mut base = Level::new(rows, columns, true)?;
+        let mut base = BoxLevel::new(rows, columns, true)?;
         let mut displacements = alloc::filled(PackedBox::default(), rows * columns)?;
         let (across, rows_together) = (columns.div_ceil(2), block_rows_per_task(columns));
         let parts = base.child_boxes.chunks_mut(rows_together / 2 * across);
@@ -131,7 +131,7 @@ impl Pyramid {
     }
 
     /// The levels, beginning with the blocks.
-    pub(crate) fn levels(&self) -> &[Level] {
+    pub(crate) fn levels(&self) -> &[BoxLevel] {
         &self.levels
     }
 
@@ -157,7 +157,7 @@ impl Pyramid {
 
     /// Size in bytes, without the cones.
     pub(crate) fn bytes(&self) -> usize {
-        let level = |level: &Level| size_of_val(&level.child_boxes[..]) + size_of_val(&level.oriented[..]);
+        let level = |level: &BoxLevel| size_of_val(&level.child_boxes[..]) + size_of_val(&level.oriented[..]);
         self.levels.iter().map(level).sum::<usize>() + size_of_val(&self.displacements[..])
     }
 
@@ -230,9 +230,9 @@ fn build_row<const N: usize>(
 }
 
 /// Builds the level above another one.
-fn level_above(below: &Level, with_oriented: bool) -> Result<Level> {
+fn level_above(below: &BoxLevel, with_oriented: bool) -> Result<BoxLevel> {
     let (rows, columns) = (below.rows.div_ceil(2), below.columns.div_ceil(2));
-    let mut level = Level::new(rows, columns, with_oriented)?;
+    let mut level = BoxLevel::new(rows, columns, with_oriented)?;
     for r in 0..rows {
         for c in 0..columns {
             let group = below.child_boxes(r, c);
@@ -246,7 +246,7 @@ fn level_above(below: &Level, with_oriented: bool) -> Result<Level> {
 }
 
 /// The oriented box around the boxes of the children of block (r, c).
-fn oriented_above(below: &Level, r: usize, c: usize) -> OrientedBox {
+fn oriented_above(below: &BoxLevel, r: usize, c: usize) -> OrientedBox {
     let mut points = [DVec3::ZERO; 32];
     let mut centres = [None; 4];
     let mut count = 0;

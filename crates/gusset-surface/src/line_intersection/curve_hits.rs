@@ -24,9 +24,9 @@ pub type CurveHit = Hit<CurvePlace>;
 /// Largest degree of a segment.
 const MAX_SEGMENT_DEGREE: usize = 7;
 /// Number of segments that a thread processes in one task.
-const BATCH: usize = 64;
+const SEGMENTS_PER_TASK: usize = 64;
 /// Finds on one curve may be the same point if their parameters differ by at most this.
-const SAME_PARAMETER: f64 = 1e-6;
+const MAX_SAME_PARAMETER_GAP: f64 = 1e-6;
 
 impl Surface<'_> {
     /// Finds the common points of a curve and the surface, in the order of the curve.
@@ -64,11 +64,11 @@ impl Surface<'_> {
     fn finds(&self, curve: &CurveView<'_>, selection: HitSelection, job: &Job<'_>) -> Result<Vec<CurveFind>> {
         let mut finds = Vec::new();
         let count = curve.len();
-        let round = BATCH * par::at_most(count.div_ceil(BATCH), job.threads());
+        let round = SEGMENTS_PER_TASK * par::at_most(count.div_ceil(SEGMENTS_PER_TASK), job.threads());
         for from in (0..count).step_by(round) {
             job.step(from as f64 / count as f64, "curve and surface")?;
             let to = count.min(from + round);
-            for part in par::map(job.threads(), par::ranges(to - from, BATCH), |range| {
+            for part in par::map(job.threads(), par::ranges(to - from, SEGMENTS_PER_TASK), |range| {
                 let mut finder = Finder::default();
                 for k in range {
                     self.segment(from + k, curve.segment(from + k), &mut finder)?;
@@ -143,7 +143,7 @@ impl Surface<'_> {
         sort::stable(&mut finds, &compare_hits);
         let mut kept: Vec<CurveFind> = alloc::with_capacity(finds.len())?;
         for find in finds {
-            let mut near = kept.iter().rev().take_while(|other| find.at - other.at <= SAME_PARAMETER);
+            let mut near = kept.iter().rev().take_while(|other| find.at - other.at <= MAX_SAME_PARAMETER_GAP);
             let known = near.any(|other| is_same(other, &find, merge_distance));
             if !known {
                 kept.push(find);
@@ -154,7 +154,7 @@ impl Surface<'_> {
         if let [first, .., last] = &kept[..]
             && curve.is_closed()
             && !(first.tangent || last.tangent)
-            && last.at - round + SAME_PARAMETER >= first.at
+            && last.at - round + MAX_SAME_PARAMETER_GAP >= first.at
             && first.point.distance(last.point) <= merge_distance
         {
             kept.pop();

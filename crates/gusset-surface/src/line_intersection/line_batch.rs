@@ -8,7 +8,7 @@ use gusset_base::job::Job;
 use gusset_base::{alloc, par};
 
 /// Number of lines that a thread processes in one task.
-const BATCH: usize = 512;
+const LINES_PER_TASK: usize = 512;
 
 /// The hits of many lines.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -34,8 +34,8 @@ impl Surface<'_> {
     /// [`Error::BadLine`] with the first line that is not finite or lacks a direction,
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn lines(&self, lines: &[Line], selection: HitSelection, job: &Job<'_>) -> Result<Lines> {
-        let mut all = Lines { ends: alloc::with_capacity(lines.len() + 1)?, hits: Vec::new() };
-        all.ends.push(0);
+        let mut line_hits = Lines { ends: alloc::with_capacity(lines.len() + 1)?, hits: Vec::new() };
+        line_hits.ends.push(0);
         let each = |lines: &[Line], workspace: &mut LineWorkspace| {
             let (mut counts, mut hits) = (alloc::with_capacity(lines.len())?, Vec::new());
             for line in lines {
@@ -47,11 +47,11 @@ impl Surface<'_> {
         };
         batches(lines, job, each, |(counts, hits)| {
             for count in counts {
-                all.ends.push(all.ends[all.ends.len() - 1] + count);
+                line_hits.ends.push(line_hits.ends[line_hits.ends.len() - 1] + count);
             }
-            alloc::append(&mut all.hits, &hits)
+            alloc::append(&mut line_hits.hits, &hits)
         })?;
-        Ok(all)
+        Ok(line_hits)
     }
 
     /// Finds the first hit of each of many lines, as [`Surface::line`] returns it.
@@ -59,7 +59,7 @@ impl Surface<'_> {
     /// # Errors
     /// The errors of [`Surface::lines`].
     pub fn first_hits(&self, lines: &[Line], job: &Job<'_>) -> Result<Vec<Option<Hit>>> {
-        let mut all = alloc::with_capacity(lines.len())?;
+        let mut first_hits = alloc::with_capacity(lines.len())?;
         let each = |lines: &[Line], workspace: &mut LineWorkspace| {
             let mut hits = alloc::with_capacity(lines.len())?;
             for line in lines {
@@ -68,8 +68,8 @@ impl Surface<'_> {
             }
             Ok(hits)
         };
-        batches(lines, job, each, |hits| alloc::append(&mut all, &hits))?;
-        Ok(all)
+        batches(lines, job, each, |hits| alloc::append(&mut first_hits, &hits))?;
+        Ok(first_hits)
     }
 }
 
@@ -85,9 +85,9 @@ fn batches<R: Send>(
         line.check().map_err(|error| match error {
             Error::OptionOutOfRange { option, value } => {
                 let why = match option {
-                    "origin" => "begins beyond 1e150",
-                    "direction" => "has no direction",
-                    _ => "has no points between its ends",
+                    "origin" => "needs an origin with coordinates up to 1e150",
+                    "direction" => "needs a direction with a length from 1e-150 to 1e150",
+                    _ => "needs `from` to be at most `to`",
                 };
                 Error::BadLine { line: k as u64, why, value }
             }
@@ -95,12 +95,12 @@ fn batches<R: Send>(
         })?;
     }
     // One workspace for each thread, reused from batch to batch.
-    let threads = par::at_most(lines.len().div_ceil(BATCH), job.threads());
+    let threads = par::at_most(lines.len().div_ceil(LINES_PER_TASK), job.threads());
     let mut workspaces = alloc::collect((0..threads).map(|_| LineWorkspace::default()))?;
-    let round = BATCH * threads;
+    let round = LINES_PER_TASK * threads;
     for (k, some) in lines.chunks(round).enumerate() {
         job.step((k * round) as f64 / lines.len() as f64, "lines")?;
-        let parts = some.chunks(BATCH).zip(&mut workspaces);
+        let parts = some.chunks(LINES_PER_TASK).zip(&mut workspaces);
         for part in par::map(threads, parts, |(batch, workspace)| each(batch, workspace))? {
             add(part?)?;
         }

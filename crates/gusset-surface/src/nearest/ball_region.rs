@@ -61,15 +61,15 @@ impl Surface<'_> {
         region.first.push(bits);
         region.mask = alloc::zeroed(bits.div_ceil(64) as usize)?;
         let ball = QueryBall { query, radius, tolerance: self.query_tolerance(query) };
-        let mut found = Vec::new();
+        let mut cells_in_ball = Vec::new();
         for k in 0..self.len() {
             let (sheet, index) = self.indexed(k);
-            each_sheet!(sheet, cells => ball.collect(cells, index, k as u32, &mut found, job))?;
+            each_sheet!(sheet, cells => ball.collect(cells, index, k as u32, &mut cells_in_ball, job))?;
         }
         // The blocks were visited in another order.
-        found.sort_unstable();
-        region.cells = alloc::collect(found.iter().map(|&(cell, _)| cell))?;
-        region.whole = alloc::collect(found.iter().map(|&(_, whole)| whole))?;
+        cells_in_ball.sort_unstable();
+        region.cells = alloc::collect(cells_in_ball.iter().map(|&(cell, _)| cell))?;
+        region.whole = alloc::collect(cells_in_ball.iter().map(|&(_, whole)| whole))?;
         for &[k, i, j] in &region.cells {
             let [_, columns] = self.sheet(k as usize).cells();
             let bit = region.first[k as usize] + u64::from(i) * columns as u64 + u64::from(j);
@@ -127,7 +127,7 @@ impl QueryBall {
             return false;
         }
         let start = DVec2::splat(0.5);
-        let found = nearest_on_patch(patch, self.query, start, self.radius, self.tolerance, workspace);
-        found.is_some_and(|found| found.bound <= self.radius)
+        let nearest = nearest_on_patch(patch, self.query, start, self.radius, self.tolerance, workspace);
+        nearest.is_some_and(|nearest| nearest.bound <= self.radius)
     }
 }

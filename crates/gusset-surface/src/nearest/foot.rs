@@ -16,7 +16,7 @@ pub(super) const MAX_STEPS: usize = 24;
 pub(super) const MAX_STEPS_ON_PART: usize = 6;
 /// A full step shorter than this, in parameters, is the last one, because the next one would be its
 /// square.
-const QUADRATIC_STEP: f64 = 1e-7;
+const LAST_STEP_LENGTH: f64 = 1e-7;
 /// A parameter within this distance of a border counts as on it.
 const BORDER_ROUNDING: f64 = 1e-13;
 
@@ -50,7 +50,7 @@ pub(super) fn minimise<const N: usize>(patch: &Patch<N>, query: DVec3, start: DV
         let Some(step) = newton_step(gradient, hessian, &foot.jet, free) else { break };
         let (next, done) = match backtrack(patch, query, &foot, step) {
             Trial::Down { next, whole } => {
-                (next, whole && (next.place - foot.place).abs().max_element() < QUADRATIC_STEP)
+                (next, whole && (next.place - foot.place).abs().max_element() < LAST_STEP_LENGTH)
             }
             Trial::Ended => break,
             Trial::Overshot => {
@@ -98,7 +98,7 @@ fn backtrack<const N: usize>(patch: &Patch<N>, query: DVec3, foot: &Foot, step: 
             return Trial::Down { next, whole: length == 1.0 };
         }
         // This close to the minimum, rounding decides.
-        if moved < QUADRATIC_STEP {
+        if moved < LAST_STEP_LENGTH {
             return Trial::Ended;
         }
         length = 0.25 * length.min(bounded);

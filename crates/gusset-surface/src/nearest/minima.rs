@@ -38,11 +38,11 @@ pub struct Minima {
 /// Number of undecided cells at which a search gives up.
 const MAX_UNDECIDED: usize = 512;
 /// Number of blocks and cells between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 7;
+const CELLS_PER_REPORT: usize = 1 << 7;
 
 const STAGE: &str = "minima";
 /// Points within this number of tolerances are the same point.
-const SAME_POINT: f64 = 16.0;
+const SAME_POINT_TOLERANCES: f64 = 16.0;
 
 /// A minimum, and the cell that contains it.
 #[derive(Clone, Copy)]
@@ -56,7 +56,7 @@ impl Surface<'_> {
     /// Returns the local minima of the distance from `query` that are at most `limit` away, the
     /// nearest first. If `most` is not 0, returns only the nearest `most` minima.
     ///
-    /// No minimum is missed. A place that may be a minimum, without proof, is returned with `proven`
+    /// Finds every minimum. A place that may be a minimum, without proof, is returned with `proven`
     /// false. If `most` is given, cells farther than the last minimum are not searched.
     ///
     /// # Errors
@@ -130,7 +130,7 @@ impl MinimaSearch<'_> {
     #[inline(never)]
     fn tick(&mut self) -> Result<()> {
         self.looked_at += 1;
-        if self.looked_at.is_multiple_of(REPORT_INTERVAL) { self.job.step(0.0, STAGE) } else { Ok(()) }
+        if self.looked_at.is_multiple_of(CELLS_PER_REPORT) { self.job.step(0.0, STAGE) } else { Ok(()) }
     }
 
     fn push_block(&mut self, sheet: usize, block: Block) -> Result<()> {
@@ -174,7 +174,7 @@ impl MinimaSearch<'_> {
         if !minimum.proven {
             return alloc::push(&mut self.undecided, candidate);
         }
-        let near = SAME_POINT * self.tolerance;
+        let near = SAME_POINT_TOLERANCES * self.tolerance;
         let is_same = |other: &FoundMinimum| other.minimum.point.distance(minimum.point) <= near;
         if minimum.distance > self.limit || self.found.iter().any(is_same) || !self.is_minimum_around(minimum) {
             return Ok(());
@@ -202,10 +202,10 @@ impl MinimaSearch<'_> {
             if patch.box_distance(minimum.point) > self.tolerance {
                 return true;
             }
-            let found =
+            let nearest =
                 nearest_on_patch(&patch, minimum.point, start, self.tolerance, 0.1 * self.tolerance, &mut workspace);
-            let Some(there) = found.filter(|there| there.distance <= self.tolerance) else { return true };
-            !has_descent_direction(&patch, self.query, there.place, SAME_POINT * self.tolerance)
+            let Some(there) = nearest.filter(|there| there.distance <= self.tolerance) else { return true };
+            !has_descent_direction(&patch, self.query, there.place, SAME_POINT_TOLERANCES * self.tolerance)
         })
     }
 
@@ -215,7 +215,7 @@ impl MinimaSearch<'_> {
         merge_adjacent(&mut self.undecided, self.surface)?;
         let proven = std::mem::take(&mut self.found);
         // An undecided place next to a proven one is the same place.
-        let near = SAME_POINT * self.tolerance;
+        let near = SAME_POINT_TOLERANCES * self.tolerance;
         let distance = |a: &FoundMinimum, b: &FoundMinimum| a.minimum.point.distance(b.minimum.point);
         self.undecided.retain(|place| proven.iter().all(|found| distance(found, place) > near));
         let mut points = alloc::with_capacity(proven.len() + self.undecided.len() + 1)?;

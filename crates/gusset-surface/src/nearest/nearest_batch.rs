@@ -3,7 +3,7 @@
 //! Queries are sorted along the curve of G. M. Morton (1966) and distributed among threads.
 //! Consecutive queries then read the same blocks of the index from the cache. Each query is
 //! answered separately, so results do not depend on the order or the number of threads. O(n log n)
-//! for the sort, whose memory is limited to [`SORTED_QUERIES`] keys.
+//! for the sort, whose memory is limited to [`QUERIES_PER_SORT`] keys.
 
 use super::closest::Closest;
 use super::nearest_search::NearestSearch;
@@ -16,7 +16,7 @@ use gusset_base::job::Job;
 use gusset_base::{alloc, par};
 
 /// Number of queries sorted at once.
-const SORTED_QUERIES: usize = 1 << 16;
+const QUERIES_PER_SORT: usize = 1 << 16;
 /// Number of queries between two progress reports.
 const QUERIES_PER_STEP: usize = 1 << 13;
 /// Number of queries that a thread answers in one task.
@@ -30,9 +30,9 @@ impl Surface<'_> {
     /// [`Error::OptionOutOfRange`] if the limit is negative or NaN, [`Error::NotFinite`],
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn closest_all(&self, queries: &[DVec3], limit: f64, job: &Job<'_>) -> Result<Vec<Option<Closest>>> {
-        let mut found = alloc::filled(None, queries.len())?;
-        self.closest_into(queries, limit, &mut found, |closest| closest, job)?;
-        Ok(found)
+        let mut closest_points = alloc::filled(None, queries.len())?;
+        self.closest_into(queries, limit, &mut closest_points, |closest| closest, job)?;
+        Ok(closest_points)
     }
 
     /// [`Surface::closest_all`] with answers converted by `form`.
@@ -46,20 +46,20 @@ impl Surface<'_> {
     ) -> Result<()> {
         Error::require(limit >= 0.0, "limit", limit)?;
         queries.iter().zip(0..).try_for_each(|(&query, index)| check_query(query, index))?;
-        let mut order: Vec<(u64, u32)> = alloc::with_capacity(queries.len().min(SORTED_QUERIES))?;
-        let mut done = 0;
-        for (part, out) in queries.chunks(SORTED_QUERIES).zip(out.chunks_mut(SORTED_QUERIES)) {
+        let mut order: Vec<(u64, u32)> = alloc::with_capacity(queries.len().min(QUERIES_PER_SORT))?;
+        let mut answered = 0;
+        for (part, out) in queries.chunks(QUERIES_PER_SORT).zip(out.chunks_mut(QUERIES_PER_SORT)) {
             sort_along_curve(part, &mut order);
             for round in order.chunks(QUERIES_PER_STEP) {
-                job.step(done as f64 / queries.len() as f64, "nearest points")?;
-                done += round.len();
-                let found = par::map(job.threads(), round.chunks(QUERIES_PER_TASK), |taken| {
+                job.step(answered as f64 / queries.len() as f64, "nearest points")?;
+                answered += round.len();
+                let answers = par::map(job.threads(), round.chunks(QUERIES_PER_TASK), |taken| {
                     let mut search = NearestSearch::default();
                     let each = |&(_, k): &(u64, u32)| form(self.closest_with(part[k as usize], limit, &mut search));
                     taken.iter().map(each).collect::<Vec<_>>()
                 })?;
-                for (&(_, k), found) in round.iter().zip(found.into_iter().flatten()) {
-                    out[k as usize] = found;
+                for (&(_, k), answer) in round.iter().zip(answers.into_iter().flatten()) {
+                    out[k as usize] = answer;
                 }
             }
         }

@@ -90,7 +90,7 @@ impl SinglePrecisionQuery {
 
 /// A waiting task of a sheet.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Task {
+pub(super) enum NearestTask {
     Block(Block),
     /// A cell, and parameters close to its nearest point.
     Cell {
@@ -126,7 +126,7 @@ pub(super) struct NearestSearch {
     stack: Vec<StackedBlock>,
     candidates: Vec<CellCandidate>,
     /// Tasks with their sheet.
-    frontier: Frontier<(u32, Task)>,
+    frontier: Frontier<(u32, NearestTask)>,
 }
 
 impl NearestSearch {
@@ -150,7 +150,7 @@ impl NearestSearch {
     }
 
     /// Adds a task to the frontier. If the allocation fails, drops the task and records its bound.
-    fn push_task(&mut self, bound: f64, sheet: u32, task: Task) {
+    fn push_task(&mut self, bound: f64, sheet: u32, task: NearestTask) {
         if bound <= self.prune_bound() && self.frontier.push(bound, (), (sheet, task)).is_err() {
             self.settle(bound);
         }
@@ -171,7 +171,7 @@ impl NearestSearch {
             let (row, column) = (block.row as usize, block.column as usize);
             if self.evaluations >= MAX_DEPTH_FIRST_PATCHES || self.blocks >= MAX_DEPTH_FIRST_BLOCKS {
                 let (bound, level) = (query.distance(block.bound), block.level as usize);
-                self.push_task(bound, sheet, Task::Block(Block { bound, level, row, column }));
+                self.push_task(bound, sheet, NearestTask::Block(Block { bound, level, row, column }));
                 continue;
             }
             if block.level == 0 {
@@ -259,7 +259,7 @@ impl NearestSearch {
         if bound >= foot.distance - tolerance {
             self.settle(bound);
         } else {
-            self.push_task(bound, at.sheet, Task::Part { cell: at.cell, from: DVec2::ZERO, size: DVec2::ONE });
+            self.push_task(bound, at.sheet, NearestTask::Part { cell: at.cell, from: DVec2::ZERO, size: DVec2::ONE });
         }
     }
 
@@ -278,7 +278,7 @@ impl NearestSearch {
         if bound >= self.incumbent.distance() - tolerance || part.is_smallest() {
             self.settle(bound);
         } else {
-            self.push_task(bound, at.sheet, Task::Part { cell: at.cell, from: part.from, size: part.size });
+            self.push_task(bound, at.sheet, NearestTask::Part { cell: at.cell, from: part.from, size: part.size });
         }
     }
 
@@ -309,11 +309,11 @@ impl NearestSearch {
         index: &Pyramid,
         sheet: u32,
         bound: f64,
-        task: Task,
+        task: NearestTask,
     ) {
         let query = self.incumbent.query;
         match task {
-            Task::Block(Block { level: 0, row, column, .. }) => {
+            NearestTask::Block(Block { level: 0, row, column, .. }) => {
                 let before = self.incumbent.upper.distance;
                 self.search_leaf(&BlockLeaf { cells, index, row, column });
                 let upper = self.incumbent.upper.distance;
@@ -321,20 +321,20 @@ impl NearestSearch {
                     self.examine_candidates(cells, sheet);
                 }
                 while let Some(CellCandidate { bound, start, cell, .. }) = self.candidates.pop() {
-                    self.push_task(bound.max(0.0), sheet, Task::Cell { cell, start });
+                    self.push_task(bound.max(0.0), sheet, NearestTask::Cell { cell, start });
                 }
             }
-            Task::Block(block) => {
+            NearestTask::Block(block) => {
                 for child in block.children(index, query).into_iter().flatten() {
-                    self.push_task(child.bound.max(bound), sheet, Task::Block(child));
+                    self.push_task(child.bound.max(bound), sheet, NearestTask::Block(child));
                     let cell = child.middle(cells);
                     if self.incumbent.is_gain(cells.corner(cell[0], cell[1]).distance(query)) {
                         self.examine_cell(cells, sheet, cell, DVec2::ZERO);
                     }
                 }
             }
-            Task::Cell { cell, start } => self.examine_cell(cells, sheet, cell.map(|k| k as usize), start),
-            Task::Part { cell, from, size } => {
+            NearestTask::Cell { cell, start } => self.examine_cell(cells, sheet, cell.map(|k| k as usize), start),
+            NearestTask::Part { cell, from, size } => {
                 let patch = cells.patch(cell[0] as usize, cell[1] as usize);
                 let at = CellPatch { patch: &patch, sheet, cell };
                 let part = PatchPart::from_range(&patch, from, size, bound);
@@ -398,11 +398,11 @@ impl SurfaceSearch<'_> {
 }
 
 impl BranchAndBound for SurfaceSearch<'_> {
-    type Task = (u32, Task);
+    type Task = (u32, NearestTask);
     type Key = ();
     type Stop = Infallible;
 
-    fn frontier(&mut self) -> &mut Frontier<(u32, Task)> {
+    fn frontier(&mut self) -> &mut Frontier<(u32, NearestTask)> {
         &mut self.search.frontier
     }
 
@@ -410,7 +410,7 @@ impl BranchAndBound for SurfaceSearch<'_> {
         bound <= self.search.prune_bound() && !self.search.is_exhausted(bound)
     }
 
-    fn branch(&mut self, bound: f64, (sheet, task): (u32, Task)) -> Result<(), Infallible> {
+    fn branch(&mut self, bound: f64, (sheet, task): (u32, NearestTask)) -> Result<(), Infallible> {
         self.search.evaluations += 1;
         let (cells, index) = self.surface.indexed(sheet as usize);
         each_sheet!(cells, cells => self.search.open_task(cells, index, sheet, bound, task));

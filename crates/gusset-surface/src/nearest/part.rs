@@ -78,7 +78,7 @@ impl<const N: usize> Patch<N> {
     fn extents(&self) -> [f64; 2] {
         let p = &self.points;
         let across = |k: usize| [p[0][k].distance_squared(p[N - 1][k]), p[k][0].distance_squared(p[k][N - 1])];
-        let all = (0..N).map(across).fold([0.0_f64; 2], |[u, v], [x, y]| [u.max(x), v.max(y)]);
-        all.map(f64::sqrt)
+        let extents = (0..N).map(across).fold([0.0_f64; 2], |[u, v], [x, y]| [u.max(x), v.max(y)]);
+        extents.map(f64::sqrt)
     }
 }

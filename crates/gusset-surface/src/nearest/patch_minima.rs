@@ -84,13 +84,13 @@ pub(super) fn interior_minima<const N: usize>(
         let direction = (query - foot.jet.point).normalize_or_zero();
         let bound = part.patch.half_space_distance(query, direction).max(part.patch.box_distance(query));
         if part.is_smallest() || examined >= most || part.patch.max_distance(query) - bound <= tolerance {
-            let found = LocalMinimum::new(&on_whole(), bound, false);
+            let candidate = LocalMinimum::new(&on_whole(), bound, false);
             undecided = Some(match undecided {
-                Some(other) if other.distance <= found.distance => {
+                Some(other) if other.distance <= candidate.distance => {
                     LocalMinimum { bound: other.bound.min(bound), ..other }
                 }
-                Some(other) => LocalMinimum { bound: other.bound.min(found.bound), ..found },
-                None => found,
+                Some(other) => LocalMinimum { bound: other.bound.min(candidate.bound), ..candidate },
+                None => candidate,
             });
             continue;
         }

@@ -10,7 +10,7 @@ use gusset_base::job::Job;
 const UNREACHED: u32 = u32::MAX;
 
 /// Number of cells between two progress reports.
-const CELLS: usize = 1 << 17;
+const CELLS_PER_REPORT: usize = 1 << 17;
 
 /// A shortest chain of cells of a region between two cells, both included. Consecutive cells share
 /// a node. Returns `None` if the cells are not connected.
@@ -102,7 +102,7 @@ pub fn euler_characteristic(region: &CellMask, job: &Job<'_>) -> Result<i64> {
     let single = |k: usize, at: usize| Span::new(at, 1, lattice.cells[k]);
     let mut sum = region.count() as i64;
     for i in 0..lines_u {
-        if (i * lines_v) % CELLS < lines_v {
+        if (i * lines_v) % CELLS_PER_REPORT < lines_v {
             job.step(i as f64 / lines_u as f64, "vertices")?;
         }
         for j in 0..lines_v {
@@ -140,7 +140,7 @@ impl Walk {
         let mut at = 0;
         while let Some(&cell) = self.order.get(at) {
             at += 1;
-            if at % CELLS == 0 {
+            if at % CELLS_PER_REPORT == 0 {
                 job.step(fraction, "chains")?;
             }
             let next = self.steps[cell as usize] + 1;

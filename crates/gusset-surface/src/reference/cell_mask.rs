@@ -92,8 +92,8 @@ impl CellMask {
     pub fn nodes(&self) -> impl Iterator<Item = [usize; 2]> {
         let lattice = self.lattice;
         let [rows, columns] = lattice.lines();
-        let all = (0..rows).flat_map(move |i| (0..columns).map(move |j| [i, j]));
-        all.filter(move |&node| lattice.cells_at_node(node).any(|cell| self.get(cell)))
+        let nodes = (0..rows).flat_map(move |i| (0..columns).map(move |j| [i, j]));
+        nodes.filter(move |&node| lattice.cells_at_node(node).any(|cell| self.get(cell)))
     }
 
     /// Clears the bits of a block.

@@ -31,10 +31,10 @@ impl<const N: usize> Patch<N> {
     /// bounded.
     fn curvature_bound(&self, depth: u32) -> f64 {
         let degree = (N - 1) as f64;
-        let all = |rows: usize, columns: usize| (0..rows).flat_map(move |a| (0..columns).map(move |b| (a, b)));
+        let indices = |rows: usize, columns: usize| (0..rows).flat_map(move |a| (0..columns).map(move |b| (a, b)));
         let p = &self.points;
-        let u = Spread::from_vectors(all(N - 1, N).map(|(a, b)| degree * (p[a + 1][b] - p[a][b])));
-        let v = Spread::from_vectors(all(N, N - 1).map(|(a, b)| degree * (p[a][b + 1] - p[a][b])));
+        let u = VectorSpread::from_vectors(indices(N - 1, N).map(|(a, b)| degree * (p[a + 1][b] - p[a][b])));
+        let v = VectorSpread::from_vectors(indices(N, N - 1).map(|(a, b)| degree * (p[a][b + 1] - p[a][b])));
         let (su, sv) = (u.mean.length(), v.mean.length());
         let cosine = u.mean.dot(v.mean) / (su * sv);
         // The smaller singular value of two unit vectors is sqrt(1 - |cosine|).
@@ -46,9 +46,9 @@ impl<const N: usize> Patch<N> {
             };
         }
         let second = degree * (degree - 1.0);
-        let uu = all(N - 2, N).map(|(a, b)| second * (p[a + 2][b] - 2.0 * p[a + 1][b] + p[a][b]) / (su * su));
-        let vv = all(N, N - 2).map(|(a, b)| second * (p[a][b + 2] - 2.0 * p[a][b + 1] + p[a][b]) / (sv * sv));
-        let uv = all(N - 1, N - 1)
+        let uu = indices(N - 2, N).map(|(a, b)| second * (p[a + 2][b] - 2.0 * p[a + 1][b] + p[a][b]) / (su * su));
+        let vv = indices(N, N - 2).map(|(a, b)| second * (p[a][b + 2] - 2.0 * p[a][b + 1] + p[a][b]) / (sv * sv));
+        let uv = indices(N - 1, N - 1)
             .map(|(a, b)| degree * degree * (p[a + 1][b + 1] - p[a + 1][b] - p[a][b + 1] + p[a][b]) / (su * sv));
         let (uu, uv, vv) = (longest(uu), longest(uv), longest(vv));
         let greatest = 0.5 * (uu + vv) + (0.25 * (uu - vv) * (uu - vv) + uv * uv).sqrt();
@@ -61,15 +61,15 @@ fn longest(vectors: impl Iterator<Item = DVec3>) -> f64 {
 }
 
 /// The mean of vectors, and their largest distance from it.
-struct Spread {
+struct VectorSpread {
     mean: DVec3,
     radius: f64,
 }
 
-impl Spread {
-    fn from_vectors(vectors: impl Iterator<Item = DVec3> + Clone) -> Spread {
+impl VectorSpread {
+    fn from_vectors(vectors: impl Iterator<Item = DVec3> + Clone) -> VectorSpread {
         let (sum, count) = vectors.clone().fold((DVec3::ZERO, 0.0), |(sum, count), v| (sum + v, count + 1.0));
         let mean = sum / count;
-        Spread { mean, radius: longest(vectors.map(|v| v - mean)) }
+        VectorSpread { mean, radius: longest(vectors.map(|v| v - mean)) }
     }
 }

@@ -88,7 +88,7 @@ pub(super) fn search_at_cost(
     let lattice = sizes.lattice();
     let mut window = RemainingCells { lattice, spans: lattice.cells.map(Span::full), rings: lattice.closed };
     let least = ([0, 0], f64::INFINITY);
-    let mut found = SearchOutcome { mask: CellMask::full(lattice)?, evaluations: 0, blocks: 0, dropped: 0, least };
+    let mut outcome = SearchOutcome { mask: CellMask::full(lattice)?, evaluations: 0, blocks: 0, dropped: 0, least };
     let [lines_u, lines_v] = lattice.lines();
     let widest = lines_u.max(lines_v).next_power_of_two();
     let mut stride = if options.by_rows { 1 } else { widest };
@@ -97,7 +97,7 @@ pub(super) fn search_at_cost(
         for i in (0..lines_u).step_by(stride) {
             // Stops at once if no cell is left.
             if window.is_empty() {
-                return Ok(found);
+                return Ok(outcome);
             }
             ticker.spend(lines_v / stride / 8 + 1, i as f64 / (lines_u * stride) as f64)?;
             if !lattice.span(0, i, 1).indices().any(|row| window.spans[0].contains(row)) {
@@ -105,7 +105,7 @@ pub(super) fn search_at_cost(
             }
             let mut j = 0;
             while j < lines_v {
-                if stride == 1 && is_quiet(&found.mask, i, j) {
+                if stride == 1 && is_quiet(&outcome.mask, i, j) {
                     j += 62;
                     continue;
                 }
@@ -114,8 +114,8 @@ pub(super) fn search_at_cost(
                     && stride < widest
                     && (i / stride).is_multiple_of(2)
                     && (j / stride).is_multiple_of(2);
-                if !seen && lattice.cells_at_node([i, j]).any(|cell| found.mask.get(cell)) {
-                    let cleared = visit(&mut found, &mut window, sizes, [i, j], measure([i, j]), options);
+                if !seen && lattice.cells_at_node([i, j]).any(|cell| outcome.mask.get(cell)) {
+                    let cleared = visit(&mut outcome, &mut window, sizes, [i, j], measure([i, j]), options);
                     ticker.spend(cleared + cost, 0.0)?;
                 }
                 j += stride;
@@ -123,7 +123,7 @@ pub(super) fn search_at_cost(
         }
         stride /= 2;
     }
-    Ok(found)
+    Ok(outcome)
 }
 
 /// Excludes the cells that a node at distance `r` proves to be too far. Returns the work done.

@@ -14,11 +14,11 @@ use gusset_base::error::{Error, Result};
 use gusset_base::geom::bernstein::{evaluate, halves};
 
 /// Number of lines that a section interpolates.
-const LINES: usize = 4;
+const LINES_PER_SECTION: usize = 4;
 /// Number of cells on either side in which a crossing with a line is sought.
 const MAX_CELLS_AWAY: usize = 8;
 /// Number of cells by which lines are extrapolated beyond an open edge.
-const EXTRAPOLATION: f64 = 0.5;
+const EXTRAPOLATED_CELLS: f64 = 0.5;
 /// Number of halvings of an edge after which a crossing is accurate to the last bit.
 const MAX_HALVINGS: u32 = 60;
 
@@ -74,12 +74,12 @@ impl Section {
         cell: [usize; 2],
     ) -> Option<f64> {
         let (count, at) = (lattice.cells[direction], cell[direction]);
-        let (mut crossings, mut found) = ([[0.0; 2]; LINES], 0);
-        for k in 0..LINES.min(count + 1) {
+        let (mut crossings, mut found) = ([[0.0; 2]; LINES_PER_SECTION], 0);
+        for k in 0..LINES_PER_SECTION.min(count + 1) {
             let line = match lattice.closed[direction] {
                 true => (at + count + k - 1) % count,
                 // As central as the edges allow.
-                false => at.saturating_sub(1).min((count + 1).saturating_sub(LINES)) + k,
+                false => at.saturating_sub(1).min((count + 1).saturating_sub(LINES_PER_SECTION)) + k,
             };
             if let Some(crossing) = self.crossing(cells, lattice, direction, line, cell[1 - direction]) {
                 let from = crossing - self.point;
@@ -123,7 +123,7 @@ impl Section {
             }
         }
         // Close to an open edge, the crossing may be on the extension of the line's last cubic.
-        let ends = [(0, [-EXTRAPOLATION, 0.0]), (count - 1, [1.0, 1.0 + EXTRAPOLATION])];
+        let ends = [(0, [-EXTRAPOLATED_CELLS, 0.0]), (count - 1, [1.0, 1.0 + EXTRAPOLATED_CELLS])];
         let near = |&(place, _): &(usize, [f64; 2])| !closed && place.abs_diff(at) <= MAX_CELLS_AWAY;
         ends.into_iter().filter(near).find_map(|(place, range)| within(place, range))
     }

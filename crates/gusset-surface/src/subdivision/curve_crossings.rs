@@ -61,7 +61,7 @@ pub(crate) struct Crossings {
 
 /// A part of the curve and a part of the patch.
 #[derive(Clone)]
-struct Pair<const M: usize, const N: usize> {
+struct CurvePatchPair<const M: usize, const N: usize> {
     curve: [DVec3; M],
     patch: Patch<N>,
     /// The smallest t, u and v of the pair, and the lengths of their ranges.
@@ -72,13 +72,13 @@ struct Pair<const M: usize, const N: usize> {
 /// Memory that searches reuse.
 #[derive(Default)]
 pub(crate) struct CurveWorkspace<const M: usize, const N: usize> {
-    stack: Stack<Pair<M, N>>,
+    stack: Stack<CurvePatchPair<M, N>>,
     boxes: Vec<UnresolvedBox>,
 }
 
 /// The search for common points of one curve and one patch.
 struct CrossingSearch<'a, const M: usize, const N: usize> {
-    whole: Pair<M, N>,
+    whole: CurvePatchPair<M, N>,
     rounding_error: f64,
     tolerance: f64,
     simple: &'a mut Vec<Crossing>,
@@ -103,7 +103,7 @@ pub(crate) fn crossings<const M: usize, const N: usize>(
     let radius = patch.points.as_flattened().iter().map(|point| point.length_squared()).fold(0.0, f64::max).sqrt();
     let rounding_error = rounding_error + 8.0 * f64::EPSILON * radius;
     let tolerance = tolerance.max(4.0 * rounding_error);
-    let whole = Pair { curve, patch, from: DVec3::ZERO, size: DVec3::ONE };
+    let whole = CurvePatchPair { curve, patch, from: DVec3::ZERO, size: DVec3::ONE };
     let CurveWorkspace { stack, boxes } = workspace;
     boxes.clear();
     found.simple.clear();
@@ -117,17 +117,17 @@ pub(crate) fn crossings<const M: usize, const N: usize>(
     Ok(())
 }
 
-impl<const M: usize, const N: usize> Subdivision<Pair<M, N>, 2> for CrossingSearch<'_, M, N> {
+impl<const M: usize, const N: usize> Subdivision<CurvePatchPair<M, N>, 2> for CrossingSearch<'_, M, N> {
     type Solution = Crossing;
     type Split = ();
     type Stop = Infallible;
 
     #[inline]
-    fn classify(&mut self, pair: &Pair<M, N>) -> Result<BoxTest<Crossing, ()>, Infallible> {
+    fn classify(&mut self, pair: &CurvePatchPair<M, N>) -> Result<BoxTest<Crossing, ()>, Infallible> {
         Ok(pair.classify(&self.whole, self.rounding_error, self.tolerance))
     }
 
-    fn accept(&mut self, _: Pair<M, N>, crossing: Crossing) -> Result<(), Infallible> {
+    fn accept(&mut self, _: CurvePatchPair<M, N>, crossing: Crossing) -> Result<(), Infallible> {
         let is_same = |other: &Crossing| {
             let apart = (other.place - crossing.place).abs().max_element().max((other.t - crossing.t).abs());
             apart <= 2.0 * (other.slack + crossing.slack)
@@ -138,14 +138,14 @@ impl<const M: usize, const N: usize> Subdivision<Pair<M, N>, 2> for CrossingSear
         Ok(())
     }
 
-    fn give_up(&mut self, pair: Pair<M, N>, _exhausted: bool) -> Result<(), Infallible> {
+    fn give_up(&mut self, pair: CurvePatchPair<M, N>, _exhausted: bool) -> Result<(), Infallible> {
         let residual = (evaluate(&pair.curve, 0.5) - pair.patch.place(0.5, 0.5)).length_squared();
         let half = 0.5 * pair.size;
         self.boxes.push(UnresolvedBox { middle: pair.from + half, half, residual });
         Ok(())
     }
 
-    fn split(&mut self, pair: Pair<M, N>, (): ()) -> [Pair<M, N>; 2] {
+    fn split(&mut self, pair: CurvePatchPair<M, N>, (): ()) -> [CurvePatchPair<M, N>; 2] {
         pair.halves()
     }
 }
@@ -155,7 +155,7 @@ fn max_abs(vectors: impl Iterator<Item = DVec3>) -> DVec3 {
     vectors.fold(DVec3::ZERO, |max, vector| max.max(vector.abs()))
 }
 
-impl<const M: usize, const N: usize> Pair<M, N> {
+impl<const M: usize, const N: usize> CurvePatchPair<M, N> {
     fn classify(&self, whole: &Self, rounding_error: f64, tolerance: f64) -> BoxTest<Crossing, ()> {
         let (along, across) = (Aabb::from_points(self.curve), Aabb::from_points(self.patch.points.as_flattened()));
         let gap = along.separation(&across);
@@ -186,8 +186,8 @@ impl<const M: usize, const N: usize> Pair<M, N> {
             let apart = sides.into_iter().filter_map(DVec3::try_normalize).any(|side| self.apart(side, rounding_error));
             return if apart { BoxTest::Empty } else { undecided };
         }
-        let found = self.resolve(whole, jacobian.inverse(), rounding_error);
-        found.unwrap_or(undecided)
+        let test = self.resolve(whole, jacobian.inverse(), rounding_error);
+        test.unwrap_or(undecided)
     }
 
     /// True if a direction separates the two.

@@ -30,7 +30,7 @@ impl<const N: usize> Field<N> {
         [low, high]
     }
 
-    /// a * self + b * other.
+    /// Returns a * self + b * other.
     #[inline]
     pub(crate) fn linear_combination(&self, a: f64, other: &Field<N>, b: f64) -> Field<N> {
         let mut c = self.c;

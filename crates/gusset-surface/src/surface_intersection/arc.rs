@@ -320,7 +320,7 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
         // the sides. Shorter pieces of it have narrower bounds.
         let room = (min - self.low[k]).min(self.high[k] - max);
         let is_central = room >= MIN_ROOM * (self.high[k] - self.low[k]);
-        let mut all = Course::Unknown(if is_central { None } else { Some(k) });
+        let mut course = Course::Unknown(if is_central { None } else { Some(k) });
         for (side, is_high) in [(self.low[k], false), (self.high[k], true)] {
             if min < side - close || max > side + close {
                 continue;
@@ -337,9 +337,9 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
             if !stays {
                 return Course::Outside;
             }
-            all = Course::Inside;
+            course = Course::Inside;
         }
-        all
+        course
     }
 
     /// Whether a curve clearly rises or falls across a side, and runs farther beyond it than may be

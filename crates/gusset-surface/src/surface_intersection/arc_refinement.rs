@@ -18,7 +18,7 @@ use gusset_base::error::Result;
 const MAX_CUT_DEPTH: u32 = 6;
 /// Rows of control points of a cubic patch. Up to this degree, the ends of pieces reveal all waves
 /// of an arc.
-const CUBIC: usize = 4;
+const CUBIC_ROWS: usize = 4;
 /// Largest number of pieces in one cut.
 const MAX_PIECES: f64 = 64.0;
 
@@ -93,7 +93,7 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
                 let more = self.pieces(&piece);
                 if more > 1.0 {
                     self.cut(piece, more, depth - 1, points)?;
-                } else if (CUBIC < N.max(M) || turns_back(&piece)) && self.is_bent(&piece) {
+                } else if (CUBIC_ROWS < N.max(M) || turns_back(&piece)) && self.is_bent(&piece) {
                     self.cut(piece, 2.0, depth - 1, points)?;
                 }
             }

@@ -90,17 +90,17 @@ impl<S: Surroundings> Bridges<'_, S> {
     fn points_in_balls(&self, points: &[(DVec3, u32)]) -> Result<Vec<(u32, u32)>> {
         let places = alloc::collect(points.iter().map(|&(point, _)| point))?;
         let tree = tree(&places)?;
-        let mut found = Vec::new();
+        let mut ball_points = Vec::new();
         for (k, ball) in self.pieces.balls.iter().enumerate() {
             let (mut result, sheets) = (Ok(()), self.surroundings.sheets(ball.pair));
             tree.for_each_within(ball.centre, radius(self.end_radius(ball)), &mut |_, n| {
                 if self.surroundings.sheets(points[n as usize].1) == sheets && result.is_ok() {
-                    result = alloc::push(&mut found, (k as u32, n));
+                    result = alloc::push(&mut ball_points, (k as u32, n));
                 }
             });
             result?;
         }
-        Ok(found)
+        Ok(ball_points)
     }
 
     /// Removes scraps: short chains whose points all lie in balls of their own cell. Balls of other
@@ -158,8 +158,8 @@ impl<S: Surroundings> Bridges<'_, S> {
 
     /// The points of an arc.
     fn points(&self, arc: &IntersectionArc) -> impl Iterator<Item = DVec3> {
-        let all = &self.pieces.points[arc.from as usize..arc.to as usize];
-        all.iter().map(|&x| self.surroundings.point(arc.pair, x))
+        let parameters = &self.pieces.points[arc.from as usize..arc.to as usize];
+        parameters.iter().map(|&x| self.surroundings.point(arc.pair, x))
     }
 
     /// Removes short chains whose ends all lie on a longer one. Returns whether there were any.
@@ -219,7 +219,7 @@ impl<S: Surroundings> Bridges<'_, S> {
         chains: &[Chain],
         links: &mut Links,
     ) -> Result<JoinedCrossings> {
-        let mut done = JoinedCrossings { nodes: Vec::new(), joined: alloc::filled(false, points.len())? };
+        let mut crossings = JoinedCrossings { nodes: Vec::new(), joined: alloc::filled(false, points.len())? };
         let ends = self.loose_ends(chains)?;
         // For each end, the other end of its path. The path grows while chains are joined.
         let mut others = alloc::collect((0..ends.len()).map(|k| k ^ 1))?;
@@ -259,13 +259,13 @@ impl<S: Surroundings> Bridges<'_, S> {
                 let (first, end) = (others[last], others[start]);
                 (others[first], others[end]) = (end, first);
                 if is_crossing {
-                    alloc::push(&mut done.nodes, (ends[last].arc, k as u32))?;
+                    alloc::push(&mut crossings.nodes, (ends[last].arc, k as u32))?;
                 }
             }
-            done.joined[k] = true;
+            crossings.joined[k] = true;
         }
-        done.nodes.sort_unstable();
-        Ok(done)
+        crossings.nodes.sort_unstable();
+        Ok(crossings)
     }
 
     /// Joins loose ends in a ball, or in two that touch, as straight as possible. Where two
@@ -307,9 +307,9 @@ impl<S: Surroundings> Bridges<'_, S> {
         alloc::gather(open.flat_map(|chain| {
             let ends = [chain.arcs.first(), chain.arcs.last()].into_iter().flatten().enumerate();
             ends.map(|(k, &arc)| {
-                let found = &self.pieces.arcs[arc as usize];
-                let is_bound = found.at_border[k] || found.is_cut[k];
-                LooseEnd { arc, point: found.ends[k], direction: found.directions[k], is_bound }
+                let end_arc = &self.pieces.arcs[arc as usize];
+                let is_bound = end_arc.at_border[k] || end_arc.is_cut[k];
+                LooseEnd { arc, point: end_arc.ends[k], direction: end_arc.directions[k], is_bound }
             })
         }))
     }

@@ -40,7 +40,7 @@ const VISITS_PER_REPORT: usize = 1 << 18;
 /// are not halved below that size.
 const MAX_RIMS: f64 = 4.0;
 /// Largest number of Newton steps.
-const NEWTON_STEPS: usize = 32;
+const MAX_NEWTON_STEPS: usize = 32;
 /// How far outside its cells a critical point may be, in parameters. A point on a side belongs to
 /// the cells on both sides.
 const PARAMETER_SLACK: f64 = 1e-6;
@@ -117,10 +117,10 @@ fn frame_with_normal(normal: DVec3) -> DMat3 {
 impl ContactSearch<'_> {
     /// Resolves all clusters that can be resolved.
     pub(super) fn run(&self, job: &Job<'_>) -> Result<CriticalPoints> {
-        let mut found =
+        let mut critical =
             CriticalPoints { points: Vec::new(), explanations: alloc::filled(UNRESOLVED, self.balls.len())? };
         if self.balls.is_empty() {
-            return Ok(found);
+            return Ok(critical);
         }
         for (k, cluster) in self.clusters(job)?.iter().enumerate() {
             if k.is_multiple_of(64) {
@@ -128,14 +128,14 @@ impl ContactSearch<'_> {
             }
             let Some(point) = self.resolve(cluster) else { continue };
             let is_apart = !point.is_saddle && point.gap.abs() > self.tolerance;
-            let number = if is_apart { APART } else { found.points.len() as u32 };
-            cluster.iter().for_each(|&ball| found.explanations[ball as usize] = number);
+            let number = if is_apart { APART } else { critical.points.len() as u32 };
+            cluster.iter().for_each(|&ball| critical.explanations[ball as usize] = number);
             if !is_apart {
-                alloc::push(&mut found.points, point)?;
+                alloc::push(&mut critical.points, point)?;
             }
         }
-        self.explain_rims(&mut found);
-        Ok(found)
+        self.explain_rims(&mut critical);
+        Ok(critical)
     }
 
     /// Assigns remaining balls within a contact to it. They lie on the rim of a lens thinner than
@@ -249,7 +249,7 @@ impl ContactSearch<'_> {
     /// equal.
     fn critical_point(&self, ball: &UnresolvedBall, balls: &[&UnresolvedBall]) -> Option<NewtonOutcome> {
         let (mut x, mut last) = (ball.x, f64::INFINITY);
-        for _ in 0..NEWTON_STEPS {
+        for _ in 0..MAX_NEWTON_STEPS {
             let [a, b] = self.places(ball.pair, x);
             let (jets, normal) = ([self.surfaces[0].jet(a), self.surfaces[1].jet(b)], self.surfaces[0].normal(a));
             let frame = frame_with_normal(normal.try_normalize()?);

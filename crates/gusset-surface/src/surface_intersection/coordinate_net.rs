@@ -60,14 +60,14 @@ impl<const N: usize> CoordinateNet<N> {
     #[inline(always)]
     pub(super) fn tangents(&self, u: f64, v: f64) -> [DVec3; 3] {
         let ([of_u, slope_u], [of_v, slope_v]) = (basis_with_slopes::<N>(u), basis_with_slopes::<N>(v));
-        let mut found = [DVec3::ZERO; 3];
+        let mut jet = [DVec3::ZERO; 3];
         for (k, field) in self.0.iter().enumerate() {
             let (values, slopes) = (weighted_sum(&field.c, &of_u), weighted_sum(&field.c, &slope_u));
-            found[0][k] = dot(&values, &of_v);
-            found[1][k] = dot(&slopes, &of_v);
-            found[2][k] = dot(&values, &slope_v);
+            jet[0][k] = dot(&values, &of_v);
+            jet[1][k] = dot(&slopes, &of_v);
+            jet[2][k] = dot(&values, &slope_v);
         }
-        found
+        jet
     }
 
     /// The component of the net along a direction.

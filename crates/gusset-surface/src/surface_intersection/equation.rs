@@ -25,7 +25,7 @@ pub(super) struct Frame {
 pub(super) const OTHERS: [[usize; 3]; 4] = [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]];
 
 /// Largest number of Newton steps.
-const NEWTON_STEPS: usize = 16;
+const MAX_NEWTON_STEPS: usize = 16;
 /// A first step shorter than this, in parameters of the cells, marks a good guess.
 const MAX_REFINED_STEP: f64 = 1e-3;
 
@@ -111,7 +111,7 @@ impl<const N: usize, const M: usize> Equation<N, M> {
     /// and the derivatives close to it, or `None` if Newton's method does not converge.
     pub(super) fn solve(&self, start: DVec4, fixed: usize) -> Option<(DVec4, Frame)> {
         let (mut x, mut last) = (start, f64::INFINITY);
-        for _ in 0..NEWTON_STEPS {
+        for _ in 0..MAX_NEWTON_STEPS {
             let frame = self.frame(x);
             let step = step(&frame.inverse(fixed), frame.miss, fixed);
             let length = step.abs().max_element();

@@ -35,18 +35,18 @@ pub(super) fn near_pairs(points: &[DVec3], within: f64, job: &Job<'_>) -> Result
     sort::stable(&mut order, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let mut pairs = Vec::new();
     // Sort keys are rounded, so the limit is wider.
-    let mut done = 0;
+    let mut compared = 0;
     for run in order.chunk_by(|a, b| b.0 - a.0 <= 1.5 * within) {
-        let own = job.part(done as f64 / points.len() as f64, 1.0);
+        let own = job.part(compared as f64 / points.len() as f64, 1.0);
         if run.len() > MAX_COMPARED {
             add_pairs_of_many(points, run, within, &mut pairs, &own.part(0.0, 0.0))?;
-            done += run.len();
+            compared += run.len();
             continue;
         }
-        if (done + run.len()) / ENDS_PER_STEP > done / ENDS_PER_STEP {
+        if (compared + run.len()) / ENDS_PER_STEP > compared / ENDS_PER_STEP {
             own.step(0.0, "paths")?;
         }
-        done += run.len();
+        compared += run.len();
         for (at, &(_, k)) in run.iter().enumerate() {
             for &(_, n) in &run[at + 1..] {
                 let distance = points[k as usize].distance(points[n as usize]);
@@ -86,7 +86,7 @@ fn add_pairs_of_many(
 }
 
 /// Ends within this number of resolutions may be the same point.
-pub(super) const REACH: f64 = 2.0;
+pub(super) const JOINT_RESOLUTIONS: f64 = 2.0;
 
 /// Chains of arcs.
 #[derive(Debug, Default)]
@@ -112,7 +112,7 @@ pub(super) fn chain_arcs(
     let arcs = &pieces.arcs;
     // The start and the end of each arc.
     let ends = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
-    let near = near_pairs(&ends, REACH * resolution, job)?;
+    let near = near_pairs(&ends, JOINT_RESOLUTIONS * resolution, job)?;
     let mut dropped = find_repeated(arcs, &near, false, resolution)?;
     let mut joints = Vec::new();
     for (distance, k, n) in near {
@@ -160,7 +160,7 @@ pub(super) fn find_repeated(
         let (one, other) = (&arcs[p as usize / 2], &arcs[q as usize / 2]);
         let (e, f) = (p as usize % 2, q as usize % 2);
         // Most of these pairs are successive arcs.
-        if other.ends[1 - f].distance(one.ends[1 - e]) > REACH * resolution {
+        if other.ends[1 - f].distance(one.ends[1 - e]) > JOINT_RESOLUTIONS * resolution {
             continue;
         }
         let way = if e == f { 1.0 } else { -1.0 };

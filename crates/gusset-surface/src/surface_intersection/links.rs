@@ -48,10 +48,10 @@ impl Links {
 
     /// The chains, ordered by their first arcs.
     pub(super) fn chains(&self, dropped: &[bool]) -> Result<Vec<Chain>> {
-        let mut done = alloc::copied(dropped)?;
+        let mut used = alloc::copied(dropped)?;
         let mut chains = Vec::new();
         for k in 0..dropped.len() as u32 {
-            if done[k as usize] {
+            if used[k as usize] {
                 continue;
             }
             // Walks back to the beginning, or around to the current arc.
@@ -62,8 +62,8 @@ impl Links {
             let closed = self.before[first as usize] == k;
             let mut chain = Chain { arcs: Vec::new(), closed };
             let mut at = if closed { k } else { first };
-            while at != NONE && !done[at as usize] {
-                done[at as usize] = true;
+            while at != NONE && !used[at as usize] {
+                used[at as usize] = true;
                 alloc::push(&mut chain.arcs, at)?;
                 at = self.after[at as usize];
             }

@@ -146,8 +146,8 @@ impl Surface<'_> {
             shortest: SHORTEST_ARC_SHARE * resolution,
             chord: chord.max(resolution),
         };
-        let all = alloc::collect((0..pairs.len()).map(|k| k as u32))?;
-        let pieces = intersection.solve(&all, &job.part(0.2, 0.9))?;
+        let pair_numbers = alloc::collect((0..pairs.len()).map(|k| k as u32))?;
+        let pieces = intersection.solve(&pair_numbers, &job.part(0.2, 0.9))?;
         let pieces = intersection.cut_overlaps(&pieces, &job.part(0.9, 0.9))?.unwrap_or(pieces);
         let search = ContactSearch {
             surfaces: [self, other],
@@ -261,10 +261,10 @@ impl Intersection<'_> {
         for (k, part) in which.chunks(batch).enumerate() {
             let [from, to] = [k, k + 1].map(|k| ((k * batch) as f64 / which.len() as f64).min(1.0));
             let ranges = par::ranges(part.len(), chunk);
-            let found = par::map_jobs(&job.part(from, to), "intersection", ranges, |range, job| {
+            let parts_found = par::map_jobs(&job.part(from, to), "intersection", ranges, |range, job| {
                 self.chunk(&part[range], max_boxes, last, job)
             })?;
-            found.iter().try_for_each(|found| pieces.append(found))?;
+            parts_found.iter().try_for_each(|part| pieces.append(part))?;
         }
         Ok(())
     }

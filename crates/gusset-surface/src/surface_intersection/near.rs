@@ -51,8 +51,8 @@ impl NearPair<'_> {
         job: &Job<'_>,
     ) -> Result<()> {
         let mut search = self.task.search(&whole.nets, pieces, job);
-        let done = self.descend(&mut search, whole);
-        search.finish(done, whole)
+        let outcome = self.descend(&mut search, whole);
+        search.finish(outcome, whole)
     }
 
     /// Processes the parts level by level.

@@ -38,7 +38,7 @@ struct Indexed<'a> {
 }
 
 /// A block of one of the sheets.
-struct Node {
+struct BlockNode {
     level: usize,
     row: usize,
     column: usize,
@@ -103,14 +103,14 @@ impl Parallelepiped {
     }
 }
 
-impl Node {
-    fn root(index: &Pyramid, shift: DVec3) -> Node {
+impl BlockNode {
+    fn root(index: &Pyramid, shift: DVec3) -> BlockNode {
         let bounds = translated(index.bounds(), shift - index.origin());
-        Node { level: index.levels().len(), row: 0, column: 0, bounds, solid: None }
+        BlockNode { level: index.levels().len(), row: 0, column: 0, bounds, solid: None }
     }
 
     /// Child k, if it exists and may be within `by` of another block.
-    fn child(&self, k: usize, index: &Pyramid, shift: DVec3, near: &Node, by: f64) -> Option<Node> {
+    fn child(&self, k: usize, index: &Pyramid, shift: DVec3, near: &BlockNode, by: f64) -> Option<BlockNode> {
         let level = &index.levels()[self.level - 1];
         // The boxes of blocks that do not exist are empty.
         let bounds = translated(level.child_boxes(self.row, self.column).get(k), shift);
@@ -120,7 +120,7 @@ impl Node {
         let (row, column) = (2 * self.row + k / 2, 2 * self.column + k % 2);
         let solid = level.oriented(row, column).map(|oriented| Parallelepiped::from_oriented_box(oriented, shift));
         let apart = solid.as_ref().zip(near.solid.as_ref()).is_some_and(|(one, other)| !one.meets(other, by));
-        (!apart).then_some(Node { level: self.level - 1, row, column, bounds, solid })
+        (!apart).then_some(BlockNode { level: self.level - 1, row, column, bounds, solid })
     }
 
     fn extent(&self) -> f64 {
@@ -214,7 +214,7 @@ impl BlockCells {
     };
 
     /// Reads the block at a node, unless it is the current one.
-    fn read(&mut self, sheet: &Indexed<'_>, node: &Node, origin: DVec3) {
+    fn read(&mut self, sheet: &Indexed<'_>, node: &BlockNode, origin: DVec3) {
         if self.at == [node.row, node.column] {
             return;
         }
@@ -255,8 +255,8 @@ impl Surface<'_> {
     /// [`Error::OptionOutOfRange`] if the distance is negative or not finite; [`Error::TooLarge`]
     /// above [`MAX_PAIRS`]; [`Error::OutOfMemory`]; [`Error::Cancelled`].
     pub fn candidates(&self, other: &Surface<'_>, within: f64, job: &Job<'_>) -> Result<Vec<CellPair>> {
-        let all = (0..self.len()).flat_map(|k| (0..other.len()).map(move |n| [k, n]));
-        self.candidates_among(all, other, (within, &|_| true), job)
+        let sheet_pairs = (0..self.len()).flat_map(|k| (0..other.len()).map(move |n| [k, n]));
+        self.candidates_among(sheet_pairs, other, (within, &|_| true), job)
     }
 
     /// Returns the pairs of cells of the surface with itself, each once. Omits pairs that are
@@ -287,15 +287,15 @@ impl Surface<'_> {
         job: &Job<'_>,
     ) -> Result<Vec<CellPair>> {
         Error::require(within >= 0.0 && within.is_finite(), "within", within)?;
-        let mut found = Vec::new();
+        let mut cell_pairs = Vec::new();
         for [k, n] in sheets {
             let [a, b] = [(self, k), (other, n)].map(|(surface, k)| {
                 let (sheet, index) = surface.indexed(k);
                 Indexed { number: k as u32, sheet, index }
             });
-            pairs(&a, &b, (within, wanted), &mut found, job)?;
+            pairs(&a, &b, (within, wanted), &mut cell_pairs, job)?;
         }
-        Ok(found)
+        Ok(cell_pairs)
     }
 }
 
@@ -318,7 +318,7 @@ fn pairs(
     let before = found.len();
     let blocks = [BlockCells::NONE; 2];
     let mut descent = Descent { a, b, origin, shift, by, wanted, blocks, unheard: 0, found, job };
-    descent.visit(&Node::root(a.index, DVec3::ZERO), &Node::root(b.index, shift))?;
+    descent.visit(&BlockNode::root(a.index, DVec3::ZERO), &BlockNode::root(b.index, shift))?;
     let key = |pair: &CellPair| {
         let [[i, j], [k, l]] = pair.cells.map(|cell| cell.map(u128::from));
         i << 96 | j << 64 | k << 32 | l
@@ -356,7 +356,7 @@ impl Descent<'_> {
     }
 
     /// Adds the pairs of cells of two blocks of any level.
-    fn visit(&mut self, one: &Node, other: &Node) -> Result<()> {
+    fn visit(&mut self, one: &BlockNode, other: &BlockNode) -> Result<()> {
         self.count_pairs(1)?;
         if one.level == 0 && other.level == 0 {
             return self.cells(one, other);
@@ -376,7 +376,7 @@ impl Descent<'_> {
     }
 
     /// Adds the pairs of cells of two blocks of level 0.
-    fn cells(&mut self, one: &Node, other: &Node) -> Result<()> {
+    fn cells(&mut self, one: &BlockNode, other: &BlockNode) -> Result<()> {
         let Descent { a, b, wanted, ref mut blocks, ref mut found, .. } = *self;
         let [left, right] = blocks;
         left.read(a, one, self.origin);

@@ -7,7 +7,7 @@ use glam::DVec3;
 use glam::DVec4;
 
 /// Largest number of Newton steps to a point of a curve.
-const NEAREST_STEPS: usize = 16;
+const MAX_NEWTON_STEPS: usize = 16;
 /// A step shorter than this fraction of the tolerance is the last one.
 const NEAREST_STEP_SHARE: f64 = 1e-3;
 /// If parameters are farther outside their cell than this, the other surface's place is adapted.
@@ -73,7 +73,7 @@ impl PairPlaces<'_> {
     /// parameters. Its error is far below the tolerance.
     pub(super) fn nearest(&self, pair: u32, start: DVec4, to: DVec3, tolerance: f64) -> Option<CurvePoint> {
         let (mut x, mut last) = (start, f64::INFINITY);
-        for _ in 0..NEAREST_STEPS {
+        for _ in 0..MAX_NEWTON_STEPS {
             let (point, frame) = self.frame(pair, x);
             let step = frame.step_towards(to - point);
             if !step.is_finite() {

@@ -28,7 +28,7 @@ const MAX_BAND: i32 = 8;
 /// Number of cells between two progress reports.
 const CELLS_PER_STEP: usize = 1 << 8;
 /// Number of pieces of a cell around the pole.
-const PIECES: usize = 8;
+const PIECES_PER_CELL: usize = 8;
 
 /// The patch of cell k along a border, with u running inwards from the border.
 pub(super) fn patch_from_border<const N: usize>(
@@ -90,7 +90,7 @@ impl Bounds {
                 by_u[k] = by_u[k].including(degree * (flat[a + 1][b][k] - flat[a][b][k]));
             }
             if b + 1 < N {
-                let slope = degree * (flat[a][b + 1][k] - flat[a][b][k]) * PIECES as f64;
+                let slope = degree * (flat[a][b + 1][k] - flat[a][b][k]) * PIECES_PER_CELL as f64;
                 by_v[k] = Some(by_v[k].map_or(Interval::point(slope), |range: Interval| range.including(slope)));
             }
         }
@@ -115,12 +115,12 @@ impl Bounds {
 
     /// Whether the bounds prove the sheet injective.
     fn are_injective(&self, is_ring: bool) -> bool {
-        let all = [self.least, self.greatest].as_flattened().iter().all(|x| x.is_finite());
+        let is_finite = [self.least, self.greatest].as_flattened().iter().all(|x| x.is_finite());
         let is_dominant = self.least[0] > 0.0
             && self.least[1] > 0.0
             && self.least[0] * self.least[1] > (1.0 + 1e-9) * self.greatest[0] * self.greatest[1];
         let once = if is_ring { self.turn < 1.5 * TAU } else { self.turn + 2.0 * self.spread < TAU };
-        all && is_dominant && once
+        is_finite && is_dominant && once
     }
 }
 

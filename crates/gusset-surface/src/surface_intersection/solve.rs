@@ -30,14 +30,14 @@ const TINY_RESOLUTIONS: f64 = 4.0;
 /// Thickness of pieces below which they are not halved further, in tolerances. It is smaller than
 /// the lens between surfaces that overlap by more than the tolerance, so the complete rim of a lens
 /// is found.
-const CONTACT_THICKNESS: f64 = 1.0 / 32.0;
+const CONTACT_THICKNESS_TOLERANCES: f64 = 1.0 / 32.0;
 
 /// Boxes smaller than this in a parameter are halved in another parameter.
 const MIN_SPLIT_SIZE: f64 = 1e-8;
 /// A curve may run along a side if both ends are within this distance of it, in parameters.
 const SIDE_SLACK: f64 = 1e-6;
 /// Largest slope of a curve that runs along a side, in parameters.
-const SIDE_SLOPE: f64 = 1e-2;
+const MAX_SIDE_SLOPE: f64 = 1e-2;
 
 /// Number of boxes of a pair between two progress reports.
 const BOXES_PER_STEP: usize = 1 << 10;
@@ -152,7 +152,7 @@ impl PairTask {
         let sides = |x: f64, slack: f64| [x <= slack, x >= 1.0 - slack];
         // A short arc that ends at a side has both ends close to it.
         let run = (ends[1] - ends[0]).abs();
-        let is_level = |k: usize| run[k] <= SIDE_SLOPE * run.max_element();
+        let is_level = |k: usize| run[k] <= MAX_SIDE_SLOPE * run.max_element();
         let runs_along =
             |k: usize, side: usize| is_along_side && is_level(k) && ends.iter().all(|x| sides(x[k], SIDE_SLACK)[side]);
         let ends_at = |x: DVec4, k: usize, side: usize| {
@@ -170,8 +170,8 @@ impl PairTask {
     ) -> Result<()> {
         let mut search = self.search(&whole.nets, pieces, job);
         // Most pairs have one box, so it is borrowed and no memory is allocated.
-        let done = search.run(Cow::Borrowed(whole));
-        search.finish(done, whole)
+        let outcome = search.run(Cow::Borrowed(whole));
+        search.finish(outcome, whole)
     }
 
     /// Creates a search whose boxes share the limit of the pair.
@@ -254,12 +254,12 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
             }
             BoxTest::Unique(chart) => {
                 let search = ArcSearch::new(equation, part, &chart, [resolution, self.task.shortest], rounding_error);
-                let found = match search.find_along_line(&frame) {
-                    Some(found) => found,
+                let arc_test = match search.find_along_line(&frame) {
+                    Some(arc_test) => arc_test,
                     None if part.is_apart(&frame, rounding_error) => BoxTest::Empty,
                     None => search.find_from_inside(&frame),
                 };
-                match found {
+                match arc_test {
                     BoxTest::Empty => return Ok(BoxTest::Empty),
                     BoxTest::Unique(ends) => return Ok(BoxTest::Unique((ends, chart.free))),
                     BoxTest::Undecided(k) => unclear = k,
@@ -276,7 +276,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
             return Ok(BoxTest::Empty);
         }
         let [thickness, reach] = match is_fine {
-            true => [(CONTACT_THICKNESS * tolerance).max(4.0 * rounding_error), tolerance],
+            true => [(CONTACT_THICKNESS_TOLERANCES * tolerance).max(4.0 * rounding_error), tolerance],
             false => [tolerance, -tolerance],
         };
         // Beside poles, and in cells that are small relative to the tolerance, crossing pieces may
@@ -404,8 +404,8 @@ impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
         // Beyond the largest number of separate balls, the nearest ball absorbs the new one.
         let beyond = |ball: &UnresolvedBall| ball.centre.distance(centre) - ball.radius;
         let nearest = || (0..own.len()).min_by(|&k, &n| beyond(&own[k]).total_cmp(&beyond(&own[n])));
-        let found = own.iter().position(touches).or_else(|| nearest().filter(|_| own.len() >= MAX_BALLS));
-        match found {
+        let target = own.iter().position(touches).or_else(|| nearest().filter(|_| own.len() >= MAX_BALLS));
+        match target {
             Some(k) => {
                 let nearer = if gap < own[k].gap { ball } else { own[k] };
                 let radius = |ball: &UnresolvedBall| nearer.centre.distance(ball.centre) + ball.radius;

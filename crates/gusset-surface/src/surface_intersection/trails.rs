@@ -6,7 +6,7 @@
 //!
 //! Invariant: an end is joined to at most one other end. Cost: O(n log n) for n arcs.
 
-use super::intersection_chain::{REACH, find_repeated, near_pairs};
+use super::intersection_chain::{JOINT_RESOLUTIONS, find_repeated, near_pairs};
 use super::links::NONE;
 use super::solve::IntersectionArc;
 use glam::DVec3;
@@ -18,7 +18,7 @@ use gusset_base::sort;
 /// Arcs whose ends differ by at least this cost belong to different paths.
 const MAX_COST: f64 = 0.75;
 /// Ends whose tangent planes differ by at most this cost may belong to copies of one arc.
-const REPEATED_COST: f64 = 1e-6;
+const MAX_REPEATED_COST: f64 = 1e-6;
 
 /// An arc of a path.
 #[derive(Debug, Clone, Copy)]
@@ -57,16 +57,16 @@ impl Trails<'_> {
     /// Returns the paths, ordered by their first arcs.
     pub(super) fn run(&self, job: &Job<'_>) -> Result<Vec<Trail>> {
         let (mates, dropped) = self.mates(job)?;
-        let mut done = dropped;
+        let mut used = dropped;
         let mut trails = Vec::new();
         // Open paths first, starting at an end.
         for ends in [true, false] {
             for k in 0..self.arcs.len() as u32 {
                 let first = [0, 1].into_iter().find(|end| mates[(2 * k + end) as usize] == NONE);
-                if done[k as usize] || ends && first.is_none() {
+                if used[k as usize] || ends && first.is_none() {
                     continue;
                 }
-                alloc::push(&mut trails, self.trail(2 * k + first.unwrap_or(0), &mates, &mut done)?)?;
+                alloc::push(&mut trails, self.trail(2 * k + first.unwrap_or(0), &mates, &mut used)?)?;
             }
         }
         sort::stable(&mut trails, &|a, b| a.steps[0].arc.cmp(&b.steps[0].arc));
@@ -95,9 +95,9 @@ impl Trails<'_> {
     fn mates(&self, job: &Job<'_>) -> Result<(Vec<u32>, Vec<bool>)> {
         let arcs = self.arcs;
         let ends = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
-        let near = near_pairs(&ends, REACH * self.resolution, job)?;
+        let near = near_pairs(&ends, JOINT_RESOLUTIONS * self.resolution, job)?;
         let alike = |p: u32, q: u32| plane_difference(&self.normals[p as usize], &self.normals[q as usize]).0;
-        let same = alloc::gather(near.iter().copied().filter(|&(_, p, q)| alike(p, q) <= REPEATED_COST))?;
+        let same = alloc::gather(near.iter().copied().filter(|&(_, p, q)| alike(p, q) <= MAX_REPEATED_COST))?;
         let dropped = find_repeated(arcs, &same, true, self.resolution)?;
         let mut joints = Vec::new();
         // The directions in which arcs continue beyond their ends.

@@ -16,18 +16,18 @@ use glam::{DVec3, DVec4};
 use gusset_base::geom::bernstein::{binomial_row, halve};
 
 /// Largest number of control values in a direction: the degrees of weights and piece, plus 1.
-const SIZE: usize = 2 * MAX_DEGREE + 1;
+const MAX_CONTROL_VALUES: usize = 2 * MAX_DEGREE + 1;
 
 /// Number of times that pieces are quartered for a closer bound.
-const DEPTH: usize = 3;
+const MAX_QUARTERINGS: usize = 3;
 
 /// If the bound exceeds this multiple of the tolerance, quarters would exceed the tolerance too.
-const HOPELESS: f64 = 4096.0;
+const HOPELESS_TOLERANCES: f64 = 4096.0;
 
 /// N and, as the fourth coordinate, w raised to the same degree, in Bernstein form.
 #[derive(Clone, Copy)]
 pub(super) struct Difference {
-    net: [[DVec4; SIZE]; SIZE],
+    net: [[DVec4; MAX_CONTROL_VALUES]; MAX_CONTROL_VALUES],
     counts: [usize; 2],
 }
 
@@ -38,7 +38,7 @@ impl Difference {
     pub(super) fn new(own: &PieceNet<DVec3>, homogeneous: &PieceNet<DVec4>, [p, q]: [usize; 2]) -> Self {
         let [sevenths, ps, qs] = [MAX_DEGREE, p, q].map(binomial_row::<{ MAX_DEGREE + 1 }>);
         let counts = [p + MAX_DEGREE + 1, q + MAX_DEGREE + 1];
-        let mut net = [[DVec4::ZERO; SIZE]; SIZE];
+        let mut net = [[DVec4::ZERO; MAX_CONTROL_VALUES]; MAX_CONTROL_VALUES];
         for (a, b) in (0..=p).flat_map(|a| (0..=q).map(move |b| (a, b))) {
             let (given, weight) = (homogeneous[a][b], ps[a] * qs[b]);
             let (numerator, w) = (given.truncate(), given.w);
@@ -50,7 +50,7 @@ impl Difference {
                 }
             }
         }
-        let [us, vs] = counts.map(|count| binomial_row::<SIZE>(count - 1));
+        let [us, vs] = counts.map(|count| binomial_row::<MAX_CONTROL_VALUES>(count - 1));
         for (row, u) in net[..counts[0]].iter_mut().zip(us) {
             row[..counts[1]].iter_mut().zip(vs).for_each(|(x, v)| *x /= u * v);
         }
@@ -61,7 +61,12 @@ impl Difference {
     pub(super) fn bound(&self, target: f64) -> f64 {
         let rough = self.greatest();
         // Rounding in quarters and divisions is far below this relative margin.
-        (1.0 + 1e-12) * if rough > HOPELESS * target { rough } else { self.refined_bound(rough, target, DEPTH) }
+        (1.0 + 1e-12)
+            * if rough > HOPELESS_TOLERANCES * target {
+                rough
+            } else {
+                self.refined_bound(rough, target, MAX_QUARTERINGS)
+            }
     }
 
     /// The largest |N_ij| / W_ij.

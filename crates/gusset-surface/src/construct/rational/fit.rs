@@ -20,24 +20,24 @@ use gusset_base::geom::linear::dense::Dense;
 
 /// Number of data in each direction: the value and derivative at 0, inner values, the derivative
 /// and value at 1.
-const DATA: usize = MAX_DEGREE + 1;
+const DATA_COUNT: usize = MAX_DEGREE + 1;
 
 /// The inner parameters: the zeros of (1 - t^2)^2 (t^2 - A) (t^2 - B) over -1 <= t <= 1. For A =
 /// 0.048143381178 and B = 0.393282575607, all extrema have equal magnitude.
-const WITHIN: [f64; 4] =
+const INNER_PARAMETERS: [f64; 4] =
     [0.186_438_771_685_935_4, 0.390_291_999_860_562_7, 0.609_708_000_139_437_3, 0.813_561_228_314_064_6];
 
 /// The parameters of these extrema.
-const BETWEEN: [f64; 5] = [0.0983, 0.2846, 0.5, 0.7154, 0.9017];
+const EXTREMAL_PARAMETERS: [f64; 5] = [0.0983, 0.2846, 0.5, 0.7154, 0.9017];
 
 /// The indices of the data that are values.
-const VALUES: [usize; 6] = [0, 2, 3, 4, 5, 7];
+const VALUE_INDICES: [usize; 6] = [0, 2, 3, 4, 5, 7];
 
 /// For each datum, the index of the value at the same parameter.
-const VALUE_AT: [usize; DATA] = [0, 0, 2, 3, 4, 5, 7, 7];
+const VALUE_AT: [usize; DATA_COUNT] = [0, 0, 2, 3, 4, 5, 7, 7];
 
 /// Rows of factors of control points, or of data.
-type Matrix<const ROWS: usize> = [[f64; DATA]; ROWS];
+type Matrix<const ROWS: usize> = [[f64; DATA_COUNT]; ROWS];
 
 /// Points of a piece that are known exactly, at its corners and along its sides.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -62,7 +62,7 @@ impl ExactPoints {
                 points[k][l] = self.corners[end][other].unwrap_or(points[k][l]);
             }
             if let Some(point) = self.sides[0][end] {
-                points[k] = [point; DATA];
+                points[k] = [point; DATA_COUNT];
             }
             if let Some(point) = self.sides[1][end] {
                 points.iter_mut().for_each(|row| row[k] = point);
@@ -75,11 +75,11 @@ impl ExactPoints {
 pub(super) struct Fit {
     degrees: [usize; 2],
     /// Factors that compute the data from control points, in u and in v.
-    data: [Matrix<DATA>; 2],
-    /// Factors that compute the values at [`BETWEEN`].
+    data: [Matrix<DATA_COUNT>; 2],
+    /// Factors that compute the values at [`EXTREMAL_PARAMETERS`].
     between: [Matrix<5>; 2],
     /// Factors that compute the control points of degree 7 from data.
-    control: Matrix<DATA>,
+    control: Matrix<DATA_COUNT>,
 }
 
 /// A piece: its data, which neighbours share at sides, and its control points.
@@ -90,11 +90,11 @@ pub(super) struct FittedPiece {
 }
 
 /// The factors that compute data from control points.
-fn functionals(degree: usize) -> Matrix<DATA> {
-    let (mut rows, n) = ([[0.0; DATA]; DATA], degree as f64);
+fn functionals(degree: usize) -> Matrix<DATA_COUNT> {
+    let (mut rows, n) = ([[0.0; DATA_COUNT]; DATA_COUNT], degree as f64);
     rows[0][0] = 1.0;
     (rows[1][0], rows[1][1]) = (-n, n);
-    for (row, t) in rows[2..].iter_mut().zip(WITHIN) {
+    for (row, t) in rows[2..].iter_mut().zip(INNER_PARAMETERS) {
         basis(&mut row[..=degree], t);
     }
     (rows[6][degree - 1], rows[6][degree]) = (-n, n);
@@ -113,19 +113,20 @@ fn weighted_sum<T: Default + std::ops::Add<Output = T> + std::ops::Mul<f64, Outp
 impl Fit {
     pub(super) fn new(degrees: [usize; 2]) -> Result<Self> {
         let mut system = Dense::default();
-        system.resize(DATA)?;
+        system.resize(DATA_COUNT)?;
         functionals(MAX_DEGREE).iter().enumerate().for_each(|(k, row)| system.row(k).copy_from_slice(row));
         // The determinant of the system is a nonzero constant.
         system.factor();
-        let mut control = [[0.0; DATA]; DATA];
-        for datum in 0..DATA {
-            let mut column: [DVec3; DATA] = std::array::from_fn(|k| DVec3::splat(f64::from(u8::from(k == datum))));
+        let mut control = [[0.0; DATA_COUNT]; DATA_COUNT];
+        for datum in 0..DATA_COUNT {
+            let mut column: [DVec3; DATA_COUNT] =
+                std::array::from_fn(|k| DVec3::splat(f64::from(u8::from(k == datum))));
             system.solve(&mut column);
             control.iter_mut().zip(column).for_each(|(row, x)| row[datum] = x.x);
         }
         let between = degrees.map(|degree| {
-            BETWEEN.map(|t| {
-                let mut row = [0.0; DATA];
+            EXTREMAL_PARAMETERS.map(|t| {
+                let mut row = [0.0; DATA_COUNT];
                 basis(&mut row[..=degree], t);
                 row
             })
@@ -154,22 +155,26 @@ impl Fit {
     /// w_u S + w S_u and P_uv = w_uv S + w_u S_v + w_v S_u + w S_uv.
     fn project(&self, data: &PieceNet<DVec4>, known: &ExactPoints) -> PieceNet<DVec3> {
         let mut out = PieceNet::<DVec3>::default();
-        for (k, l) in VALUES.into_iter().flat_map(|k| VALUES.map(|l| (k, l))) {
+        for (k, l) in VALUE_INDICES.into_iter().flat_map(|k| VALUE_INDICES.map(|l| (k, l))) {
             out[k][l] = data[k][l].truncate() / data[k][l].w;
         }
-        for (end, at) in [(0, 0), (1, DATA - 1)] {
-            for (other, far) in [(0, 0), (1, DATA - 1)] {
+        for (end, at) in [(0, 0), (1, DATA_COUNT - 1)] {
+            for (other, far) in [(0, 0), (1, DATA_COUNT - 1)] {
                 out[at][far] = known.corners[end][other].unwrap_or(out[at][far]);
             }
-            known.sides[0][end].into_iter().for_each(|point| VALUES.into_iter().for_each(|l| out[at][l] = point));
-            known.sides[1][end].into_iter().for_each(|point| VALUES.into_iter().for_each(|k| out[k][at] = point));
+            known.sides[0][end]
+                .into_iter()
+                .for_each(|point| VALUE_INDICES.into_iter().for_each(|l| out[at][l] = point));
+            known.sides[1][end]
+                .into_iter()
+                .for_each(|point| VALUE_INDICES.into_iter().for_each(|k| out[k][at] = point));
         }
-        let slopes = [1, DATA - 2];
+        let slopes = [1, DATA_COUNT - 2];
         // Along a side that is a single point, the derivative is set to 0 exactly.
         let is_point = |d: usize, l: usize| {
-            (l == 0 && known.sides[d][0].is_some()) || (l == DATA - 1 && known.sides[d][1].is_some())
+            (l == 0 && known.sides[d][0].is_some()) || (l == DATA_COUNT - 1 && known.sides[d][1].is_some())
         };
-        for (k, l) in slopes.into_iter().flat_map(|k| VALUES.map(|l| (k, l))) {
+        for (k, l) in slopes.into_iter().flat_map(|k| VALUE_INDICES.map(|l| (k, l))) {
             let at = VALUE_AT[k];
             let slope = |rise: DVec4, value: DVec4, point: DVec3| (rise.truncate() - rise.w * point) / value.w;
             out[k][l] = if is_point(1, l) { DVec3::ZERO } else { slope(data[k][l], data[at][l], out[at][l]) };
@@ -184,12 +189,13 @@ impl Fit {
     }
 
     /// The control points of a curve of degree 7 with the given data.
-    fn interpolate(&self, data: &[DVec3; DATA]) -> [DVec3; DATA] {
+    fn interpolate(&self, data: &[DVec3; DATA_COUNT]) -> [DVec3; DATA_COUNT] {
         // Relative to the first value, so that rounding is proportional to the size of the piece.
         let from = data[0];
-        let steps: [DVec3; DATA] = std::array::from_fn(|k| if VALUES.contains(&k) { data[k] - from } else { data[k] });
+        let steps: [DVec3; DATA_COUNT] =
+            std::array::from_fn(|k| if VALUE_INDICES.contains(&k) { data[k] - from } else { data[k] });
         let mut points = self.control.map(|row| from + weighted_sum(&row, |k| steps[k]));
-        (points[0], points[DATA - 1]) = (from, data[DATA - 1]);
+        (points[0], points[DATA_COUNT - 1]) = (from, data[DATA_COUNT - 1]);
         points
     }
 
@@ -198,11 +204,11 @@ impl Fit {
     pub(super) fn errors(&self, piece: &FittedPiece, homogeneous: &PieceNet<DVec4>) -> [f64; 2] {
         [0, 1].map(|d| {
             let mut worst = 0.0_f64;
-            for l in VALUES {
+            for l in VALUE_INDICES {
                 let curve = self
                     .interpolate(&std::array::from_fn(|k| if d == 0 { piece.data[k][l] } else { piece.data[l][k] }));
                 let row = &self.data[1 - d][l][..=self.degrees[1 - d]];
-                for (t, between) in BETWEEN.into_iter().zip(&self.between[d]) {
+                for (t, between) in EXTREMAL_PARAMETERS.into_iter().zip(&self.between[d]) {
                     let at =
                         |k: usize| weighted_sum(row, |m| if d == 0 { homogeneous[k][m] } else { homogeneous[m][k] });
                     let point = weighted_sum(&between[..=self.degrees[d]], at);

@@ -10,7 +10,7 @@ mod fit;
 
 use self::bound::Difference;
 use self::fit::{ExactPoints, Fit};
-use super::spline::{Interval, PieceNet, Spline, SplineOptions, SplinePiece, border_knots};
+use super::spline::{PieceNet, Spline, SplineInterval, SplineOptions, SplinePiece, border_knots};
 use crate::patches::Origin;
 use crate::{Patch, Patches};
 use glam::DVec3;
@@ -22,14 +22,14 @@ use gusset_base::job::Job;
 use gusset_base::{alloc, par};
 
 /// Default for the largest number of cells.
-const MAX_CELLS: usize = 1 << 20;
+const DEFAULT_MAX_CELLS: usize = 1 << 20;
 
 /// Default tolerance, relative to the diagonal of the bounding box of the control points.
-const TOLERANCE: f64 = 1e-12;
+const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-12;
 
 /// Smallest weight relative to the largest one. Products of larger weights do not underflow
 /// noticeably.
-const LEAST_WEIGHT: f64 = 1.183_052_186_166_774e-271;
+const MIN_RELATIVE_WEIGHT: f64 = 1.183_052_186_166_774e-271;
 
 /// The relative rounding error of one operation, 2^-53.
 const ROUNDING: f64 = 0.5 * f64::EPSILON;
@@ -60,7 +60,7 @@ pub(super) fn has_different_weights(spline: &Spline<'_>) -> Result<bool> {
     };
     bad(&|weight| !(weight > 0.0 && weight.is_finite()))?;
     let greatest = weights.iter().fold(0.0, |greatest: f64, &weight| greatest.max(weight));
-    bad(&|weight| weight / greatest < LEAST_WEIGHT)?;
+    bad(&|weight| weight / greatest < MIN_RELATIVE_WEIGHT)?;
     Ok(weights.iter().any(|&weight| weight != weights[0]))
 }
 
@@ -95,12 +95,12 @@ struct Cell {
 /// Computes patches within the tolerance of the spline, over intervals that cover all its spans.
 pub(super) fn patches(
     spline: &Spline<'_>,
-    mut intervals: [Vec<Interval>; 2],
+    mut intervals: [Vec<SplineInterval>; 2],
     options: &SplineOptions,
     job: &Job<'_>,
 ) -> Result<Patches<8>> {
     let rational = Rational::new(spline, options)?;
-    let limit = options.max_cells.unwrap_or(MAX_CELLS) as u64;
+    let limit = options.max_cells.unwrap_or(DEFAULT_MAX_CELLS) as u64;
     // All cells ever computed, by task so that they do not move, and the index of each grid cell.
     let mut tasks: Vec<Vec<Cell>> = Vec::new();
     let mut grid: Vec<usize> = Vec::new();
@@ -172,9 +172,13 @@ fn cell_by_index(tasks: &[Vec<Cell>], number: usize) -> &Cell {
 
 /// Cuts intervals into equal parts. Also returns the previous index of each interval that was not
 /// cut.
-fn cut(intervals: &[Interval], parts: &[u8], direction: u32) -> Result<(Vec<Interval>, Vec<Option<usize>>)> {
+fn cut(
+    intervals: &[SplineInterval],
+    parts: &[u8],
+    direction: u32,
+) -> Result<(Vec<SplineInterval>, Vec<Option<usize>>)> {
     let count = parts.iter().map(|&parts| usize::from(parts)).sum();
-    let (mut all, mut kept) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
+    let (mut parts_of_intervals, mut kept) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
     for (k, (interval, &parts)) in intervals.iter().zip(parts).enumerate() {
         let [from, to] = interval.ends;
         let at = |part: u8| if part == parts { to } else { from + (to - from) * (f64::from(part) / f64::from(parts)) };
@@ -183,11 +187,11 @@ fn cut(intervals: &[Interval], parts: &[u8], direction: u32) -> Result<(Vec<Inte
             if ends[0] >= ends[1] {
                 return Err(Error::BadKnot { direction, knot: interval.knot as u32, value: from });
             }
-            all.push(Interval { ends, ..*interval });
+            parts_of_intervals.push(SplineInterval { ends, ..*interval });
             kept.push((parts == 1).then_some(k));
         }
     }
-    Ok((all, kept))
+    Ok((parts_of_intervals, kept))
 }
 
 impl<'a> Rational<'a> {
@@ -219,7 +223,7 @@ impl<'a> Rational<'a> {
                 Error::require(given / unit >= 2.0 * rounding, "tolerance", given)?;
                 given / unit
             }
-            None => (TOLERANCE * diagonal).max(2.0 * rounding),
+            None => (DEFAULT_RELATIVE_TOLERANCE * diagonal).max(2.0 * rounding),
         };
         let target = tolerance - rounding;
         Ok(Rational { spline, unit, middle, homogeneous, fit: Fit::new(degrees)?, target, rounding, radius })
