@@ -2,7 +2,7 @@
 
 use super::member::Member;
 use super::pose::Pose;
-use super::rim_pairs::find_rim_pairs;
+use super::rim_sample_pairs::find_rim_pairs;
 use super::sample_pairs::{PairReport, Placed, STAGE, find_sample_pairs};
 use gusset_base::alloc;
 use gusset_base::error::Result;
