@@ -6,7 +6,7 @@ use super::judge::{NEAR_SPACINGS, ON_SPACINGS, judge};
 use super::member::Member;
 use super::pose::Pose;
 use super::rim_features::align_rims;
-use super::sampled_rim::{Rim, common_step};
+use super::sampled_rim::{SampledRim, common_step};
 use super::scan::Scan;
 use super::scene::Scene;
 use gusset_base::alloc;
@@ -61,7 +61,7 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
     if options.start == Start::Rims {
         let step = common_step(pieces, unit, &prepare.part(1.0, 1.0))?;
         for (piece, scan) in pieces.iter().zip(&scans) {
-            alloc::push(&mut rims, Rim::new(piece, scan, step, &prepare.part(1.0, 1.0))?)?;
+            alloc::push(&mut rims, SampledRim::new(piece, scan, step, &prepare.part(1.0, 1.0))?)?;
         }
     }
     let rim_trees =
@@ -81,7 +81,7 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
     let origin = scans[0].centre;
     let started = job.part(0.2, 0.4);
     let mut poses = match options.start {
-        Start::AsGiven => alloc::collect(scans.iter().map(|scan| shifted(scan.centre - origin)))?,
+        Start::AsGiven => alloc::collect(scans.iter().map(|scan| translation_by(scan.centre - origin)))?,
         Start::Poses(given) => alloc::collect(scans.iter().zip(given).map(|(scan, pose)| {
             Pose { rotation: pose.rotation, translation: pose.point(scan.centre * unit) / unit - origin }
                 .orthonormalised()
@@ -95,7 +95,7 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
     let (overlaps, known) = judge(&scene.members, &found, unit)?;
     let pieces = poses.iter().zip(&scans).zip(known).map(|((pose, scan), (reason, hold))| {
         // Rounding must not move a piece that stays.
-        if *pose == shifted(scan.centre - origin) {
+        if *pose == translation_by(scan.centre - origin) {
             return Aligned { pose: Pose::IDENTITY, reason, hold };
         }
         let back = pose.rotation * scan.centre;
@@ -108,7 +108,7 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
     Ok(Alignment { pieces, overlaps, rounds, converged })
 }
 
-fn shifted(by: glam::DVec3) -> Pose {
+fn translation_by(by: glam::DVec3) -> Pose {
     Pose { translation: by, ..Pose::IDENTITY }
 }
 

@@ -1,6 +1,6 @@
 //! The rounds: pairs are searched and the best motions applied, until nothing moves.
 
-use super::motion_system::System;
+use super::motion_system::MotionSystem;
 use super::pose::Pose;
 use super::sample_pairs::PairReport;
 use super::scene::{MIN_PAIRS, Scene};
@@ -24,7 +24,7 @@ impl Scene<'_> {
     pub(super) fn relax(&self, poses: &mut [Pose], rounds: u32, job: &Job<'_>) -> Result<(u32, bool)> {
         let (mut done, mut is_still) = (0, true);
         for stage in 0..SAMPLE_STRIDES.len() {
-            let mut looks = self.looks(poses)?;
+            let mut looks = self.searches(poses)?;
             let job = job.share(stage, SAMPLE_STRIDES.len());
             for round in 0..rounds {
                 let part = job.share(round as usize, rounds as usize);
@@ -60,7 +60,7 @@ impl Scene<'_> {
             let root = together.find(k as u32) as usize;
             (*stays, seen[root]) = (!seen[root], true);
         }
-        let mut system = System::new(&stays)?;
+        let mut system = MotionSystem::new(&stays)?;
         for (pair, found) in found.iter().filter(enough) {
             system.add(*pair, &found.equations)?;
         }

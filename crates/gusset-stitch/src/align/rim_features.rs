@@ -5,7 +5,7 @@
 //! signatures are tried, and the motion with the longest common rim is kept.
 
 use super::pose::Pose;
-use super::sampled_rim::{MIN_COSINE, Rim, STAGE, Signature};
+use super::sampled_rim::{MIN_COSINE, STAGE, SampledRim, Signature};
 use super::scene::Scene;
 use glam::{DMat3, DVec3};
 use gusset_base::alloc;
@@ -60,7 +60,7 @@ pub(super) fn align_rims(scene: &Scene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> 
 
 /// Returns the motion of `from` that puts most of its samples on the rims of `onto`; `None` without
 /// a match.
-fn best_match(onto: &Rim, tree: &KdTree<'_>, from: &Rim) -> Result<Option<Match>> {
+fn best_match(onto: &SampledRim, tree: &KdTree<'_>, from: &SampledRim) -> Result<Option<Match>> {
     let (theirs, own) = (onto.signatures(false)?, from.signatures(true)?);
     let mut trials: Vec<(f64, usize, usize)> = Vec::new();
     let differ = |a: &Signature, b: &Signature| a.iter().zip(b).map(|(a, b)| a.distance_squared(*b)).sum::<f64>();
@@ -91,7 +91,7 @@ fn best_match(onto: &Rim, tree: &KdTree<'_>, from: &Rim) -> Result<Option<Match>
 }
 
 /// Returns the samples of `from` that lie on the rims of `onto`, with the samples there.
-fn near_samples(onto: &Rim, tree: &KdTree<'_>, from: &Rim, pose: &Pose) -> Result<Vec<[usize; 2]>> {
+fn near_samples(onto: &SampledRim, tree: &KdTree<'_>, from: &SampledRim, pose: &Pose) -> Result<Vec<[usize; 2]>> {
     let gate = NEAR_STEPS * onto.step;
     alloc::gather((0..from.points.len()).filter_map(|k| {
         let (along, normal) = (pose.direction(from.directions[k]), pose.direction(from.normals[k]));
@@ -104,7 +104,7 @@ fn near_samples(onto: &Rim, tree: &KdTree<'_>, from: &Rim, pose: &Pose) -> Resul
 
 /// Returns the motion that minimises the squared distances of the pairs; `None` for fewer than
 /// three pairs.
-fn best_fit(onto: &Rim, from: &Rim, pairs: &[[usize; 2]]) -> Option<Pose> {
+fn best_fit(onto: &SampledRim, from: &SampledRim, pairs: &[[usize; 2]]) -> Option<Pose> {
     if pairs.len() < 3 {
         return None;
     }

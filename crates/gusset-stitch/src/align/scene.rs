@@ -42,7 +42,7 @@ impl<'a> Scene<'a> {
     }
 
     /// Returns the searches between pieces that are near enough, in both directions.
-    pub(super) fn looks(&self, poses: &[Pose]) -> Result<Vec<Look>> {
+    pub(super) fn searches(&self, poses: &[Pose]) -> Result<Vec<Look>> {
         let bounds = |k: usize| &self.members[k].scan.bounds;
         let is_there = |k: usize| !self.members[k].scan.used.is_empty();
         let is_near = |[i, k]: [usize; 2]| {
@@ -85,7 +85,7 @@ impl<'a> Scene<'a> {
         on: f64,
         job: &Job<'_>,
     ) -> Result<Vec<([usize; 2], PairReport)>> {
-        let mut looks = self.looks(poses)?;
+        let mut looks = self.searches(poses)?;
         // The gate does not exceed the reach.
         looks.iter_mut().for_each(|look| look.gate = (within * self.spacing(look.pieces)).min(self.reach));
         self.find(poses, &looks, 1, on, job)

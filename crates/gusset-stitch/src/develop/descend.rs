@@ -7,7 +7,7 @@
 //! that would cause them.
 
 use super::chart::ChartMesh;
-use super::chart_system::System;
+use super::chart_system::ChartSystem;
 use super::develop_request::Distortion;
 use super::energy::{Jacobian, energy, weights};
 use super::overlap::overlaps;
@@ -64,7 +64,7 @@ pub(super) enum Border<'a> {
 /// factorises a matrix, O(n^1.5) for n vertices.
 pub(super) fn descend(
     chart: &ChartMesh,
-    system: &mut System,
+    system: &mut ChartSystem,
     distortion: Distortion,
     mut x: Vec<DVec2>,
     mut border: Border<'_>,
@@ -123,7 +123,7 @@ pub(super) fn mean_energy(chart: &ChartMesh, distortion: Distortion, x: &[DVec2]
 /// Builds the system of the quadratic proxy at `x`, and returns the gradient of the mean energy.
 fn assemble(
     chart: &ChartMesh,
-    system: &mut System,
+    system: &mut ChartSystem,
     distortion: Distortion,
     x: &[DVec2],
     job: &Job<'_>,

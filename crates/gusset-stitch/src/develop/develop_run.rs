@@ -2,8 +2,8 @@
 
 use super::STAGE;
 use super::chart::ChartMesh;
-use super::chart_system::System;
-use super::charts::Split;
+use super::chart_system::ChartSystem;
+use super::charts::SplitSurface;
 use super::cut_edges::{CutSurface, Graph, PathSearch};
 use super::darts;
 use super::descend::{Border, Descent, End, descend, mean_energy};
@@ -89,9 +89,9 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
     drop(points);
     let mut surface = CutSurface::new(mesh, &job.part(0.0, 0.05))?;
     surface.cut_paths(&options.cuts, &job.part(0.05, 0.05))?;
-    let mut split = Split::new(&surface, &job.part(0.05, 0.06))?;
+    let mut split = SplitSurface::new(&surface, &job.part(0.05, 0.06))?;
     if open(&mut surface, &split, &job.part(0.06, 0.08))? {
-        split = Split::new(&surface, &job.part(0.08, 0.1))?;
+        split = SplitSurface::new(&surface, &job.part(0.08, 0.1))?;
     }
     let count = split.vertices.len();
     let mut flats: Vec<Option<Flat>> = alloc::with_capacity(count)?;
@@ -112,7 +112,7 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
         let job = rest.part(0.0, 0.5);
         rest = rest.part(0.5, 1.0);
         let cut = dart(&mut surface, &split, chart, tip, &job.part(0.0, 0.1))?;
-        let parts = Split::new(&surface, &job.part(0.1, 0.1))?;
+        let parts = SplitSurface::new(&surface, &job.part(0.1, 0.1))?;
         let flat = flatten(&surface, &parts, chart, unit, options, true, &job.part(0.1, 1.0))?;
         let old = flats[chart].as_mut().filter(|old| !flat.is_better_than(old));
         if let Some(old) = old {
@@ -139,7 +139,13 @@ fn worst(flats: &[Option<Flat>], options: &Options<'_>) -> Option<(usize, u32)> 
 }
 
 /// Cuts from a vertex inside a chart along the shortest path to its border, and returns the path.
-fn dart(surface: &mut CutSurface<'_, '_>, split: &Split, chart: usize, tip: u32, job: &Job<'_>) -> Result<Vec<u32>> {
+fn dart(
+    surface: &mut CutSurface<'_, '_>,
+    split: &SplitSurface,
+    chart: usize,
+    tip: u32,
+    job: &Job<'_>,
+) -> Result<Vec<u32>> {
     let faces = *surface.mesh.faces();
     let mut on_border = BitSet::new(split.vertex_map.len())?;
     for &f in split.faces.get(chart) {
@@ -164,7 +170,7 @@ fn dart(surface: &mut CutSurface<'_, '_>, split: &Split, chart: usize, tip: u32,
 
 fn flatten(
     surface: &CutSurface<'_, '_>,
-    split: &Split,
+    split: &SplitSurface,
     number: usize,
     unit: f64,
     options: &Options<'_>,
@@ -178,7 +184,7 @@ fn flatten(
     if lengths.are_kept(&turned, &job.part(0.05, 0.05))? {
         return exact(turned);
     }
-    let mut system = System::new(&chart, &job.part(0.05, 0.1))?;
+    let mut system = ChartSystem::new(&chart, &job.part(0.05, 0.1))?;
     if let Some(x) = lengths.restore(&mut system, turned, &job.part(0.1, 0.12))? {
         return exact(x);
     }
@@ -222,7 +228,7 @@ fn is_apart(chart: &ChartMesh, x: &[DVec2], job: &Job<'_>) -> Result<bool> {
 /// fails, starts again from Tutte's map.
 fn minimise_distortion(
     chart: &ChartMesh,
-    system: &mut System,
+    system: &mut ChartSystem,
     distortion: Distortion,
     x: Vec<DVec2>,
     limit: u32,
@@ -307,7 +313,7 @@ fn lay_along_x(border: &[[u32; 2]], x: &mut [DVec2]) {
 fn build_result(
     mesh: &MeshView<'_>,
     surface: CutSurface<'_, '_>,
-    split: Split,
+    split: SplitSurface,
     flats: &[Flat],
     unit: f64,
     darts: u32,

@@ -2,7 +2,7 @@
 //!
 //! L is the Laplacian of the patch, C the set of centres, and h the Laplacian of the rest shape.
 //! The energy is the area-weighted sum over C of |L p - h|^2, plus the energy of the springs of the
-//! [`Shape`]. Its minimum over the free vertices solves a sparse symmetric system, which is
+//! [`RestShape`]. Its minimum over the free vertices solves a sparse symmetric system, which is
 //! factorised once for all three coordinates. For curvature continuity, let b = L p - h. The energy
 //! is b^T S b with the stiffness matrix S: the weighted sum of the squared differences of b over
 //! the edges between centres.
@@ -10,7 +10,7 @@
 use super::continuity::Continuity;
 use super::couplings::Couplings;
 use super::exact_laplacian::ExactLaplacian;
-use super::rings::{Rings, Rows, Weights};
+use super::rings::{MatrixRows, Rings, Weights};
 
 use glam::DVec3;
 use gusset_base::alloc;
@@ -39,7 +39,7 @@ pub(crate) struct Plate<'a> {
     pub(crate) continuity: Continuity,
     /// The rest shape of the plate; `None` for a flat one. Only with [`Weights::Cotangent`] and
     /// [`Continuity::C1`].
-    pub(crate) shape: Option<Shape<'a>>,
+    pub(crate) shape: Option<RestShape<'a>>,
     /// Positions by which the vertices are ordered: evenly spread, with neighbours near each other;
     /// `None` for the points themselves. They affect time and memory, and the result only by
     /// round-off.
@@ -48,7 +48,7 @@ pub(crate) struct Plate<'a> {
 
 /// The rest shape of a plate.
 #[derive(Clone, Copy)]
-pub(crate) struct Shape<'a> {
+pub(crate) struct RestShape<'a> {
     /// The Laplacian h at each vertex, in the reciprocal of the points' unit.
     pub(crate) curvature: &'a [DVec3],
     /// The rest positions x0.
@@ -179,7 +179,7 @@ fn assemble_equations(
             }
         }
         // A spring with the strength area / reach^4.
-        let spring = |own: Shape<'_>| {
+        let spring = |own: RestShape<'_>| {
             let squared = (own.reach / unit) * (own.reach / unit);
             let strength = 1.0 / (squared * squared * rings.scale(v as usize));
             (strength, points[v as usize] - (own.places[v as usize] / unit - origin))
@@ -206,7 +206,7 @@ fn assemble_equations(
 fn bend_derivatives(
     points: &[DVec3],
     rings: &Rings,
-    rows: Rows<'_>,
+    rows: MatrixRows<'_>,
     plate: &Plate<'_>,
     unit: f64,
 ) -> Result<Vec<DVec3>> {

@@ -1,6 +1,6 @@
 //! The old faces that touch the rims: shared faces of vertices, normals along the rims, and sides.
 
-use super::patch_rim::{OldFaces, Rim};
+use super::patch_rim::{OldFaces, PatchRim};
 use crate::fair::Continuity;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -76,7 +76,7 @@ impl<'a> Surroundings<'a> {
         &mut self,
         loops: impl Iterator<Item = &'b [u32]>,
         job: &Job<'_>,
-    ) -> Result<Option<(Rim, Vec<u32>)>> {
+    ) -> Result<Option<(PatchRim, Vec<u32>)>> {
         let job = job.part(0.0, 0.0);
         let mesh = self.mesh;
         let (mut names, mut next, mut lengths) = (Vec::new(), Vec::new(), Vec::new());
@@ -134,7 +134,7 @@ impl<'a> Surroundings<'a> {
         let points = alloc::collect_cancellable(names.iter().map(|&v| mesh.positions().get(v)), &job, STAGE)?;
         let whole = alloc::collect(rim.iter().map(|&v| self.passes[v as usize] == 1))?;
         names.iter().for_each(|&v| self.names[v as usize] = NONE);
-        Ok(Some((Rim::new(&points, lengths, OldFaces { around, beyond, sides }, across, whole)?, rim)))
+        Ok(Some((PatchRim::new(&points, lengths, OldFaces { around, beyond, sides }, across, whole)?, rim)))
     }
 }
 

@@ -238,7 +238,7 @@ mod tests {
         /// Uses a small lattice, on which touching, coplanar, coincident and degenerate triangles
         /// are common.
         #[test]
-        fn equals_the_search_for_a_corner(
+        fn intersections_equal_the_search_for_a_corner(
             p in prop::array::uniform3((-2i64..3, -2i64..3, -1i64..2)),
             q in prop::array::uniform3((-2i64..3, -2i64..3, -1i64..2)),
             same in prop::array::uniform2(0usize..6),

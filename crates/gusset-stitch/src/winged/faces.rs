@@ -27,7 +27,7 @@ const REPORT_INTERVAL: usize = 1 << 16;
 
 /// One side of an edge, in the direction in which its face runs in the tables.
 #[derive(Clone, Copy)]
-struct Side {
+struct WingedSide {
     face: u32,
     from: u32,
     to: u32,
@@ -36,11 +36,11 @@ struct Side {
 }
 
 /// Returns the sides R, then L.
-fn sides(edge: &WingedEdge) -> [Side; 2] {
+fn sides(edge: &WingedEdge) -> [WingedSide; 2] {
     let &WingedEdge { m, n, b, c, d, e, left, right, .. } = edge;
     [
-        Side { face: right, from: m, to: n, before: d, after: b },
-        Side { face: left, from: n, to: m, before: c, after: e },
+        WingedSide { face: right, from: m, to: n, before: d, after: b },
+        WingedSide { face: left, from: n, to: m, before: c, after: e },
     ]
 }
 
