@@ -35,9 +35,11 @@ const MAX_SKEW: f64 = 1e-6;
 /// neighbours in each round, on the job's threads. Memory: linear in the vertices and faces.
 ///
 /// # Errors
-/// [`Error::EmptyMesh`] without pieces. [`Error::OptionOutOfRange`] for a distance that is not
-/// positive and finite. [`Error::InputsDiffer`] for fewer poses than pieces. [`Error::NotRigid`]
-/// for a pose that is not a rotation and translation. [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// * [`Error::EmptyMesh`] without pieces.
+/// * [`Error::OptionOutOfRange`] for a distance that is not positive and finite.
+/// * [`Error::InputsDiffer`] for fewer poses than pieces.
+/// * [`Error::NotRigid`] for a pose that is not a rotation and translation.
+/// * [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Alignment> {
     if pieces.is_empty() {
         return Err(Error::EmptyMesh { what: "pieces" });
@@ -91,8 +93,8 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
     };
     let rounds = if options.max_rounds == 0 { ROUNDS } else { options.max_rounds };
     let (rounds, converged) = scene.relax(&mut poses, rounds, &job.part(0.4, 0.9))?;
-    let found = scene.find_within(&poses, NEAR_SPACINGS, ON_SPACINGS, &job.part(0.9, 1.0))?;
-    let (overlaps, known) = judge(&scene.members, &found, unit)?;
+    let reports = scene.find_within(&poses, NEAR_SPACINGS, ON_SPACINGS, &job.part(0.9, 1.0))?;
+    let (overlaps, known) = judge(&scene.members, &reports, unit)?;
     let pieces = poses.iter().zip(&scans).zip(known).map(|((pose, scan), (reason, hold))| {
         // Rounding must not move a piece that stays.
         if *pose == translation_by(scan.centre - origin) {

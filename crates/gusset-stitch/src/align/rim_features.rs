@@ -35,19 +35,19 @@ pub(super) fn align_rims(scene: &Scene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> 
     let count = scene.members.len();
     let mut poses = alloc::filled(Pose::IDENTITY, count)?;
     let pairs = alloc::gather((0..count).flat_map(|i| (0..count).map(move |k| [i, k])).filter(|[i, k]| i < k))?;
-    let found =
+    let matches =
         par::map_cancellable(job, STAGE, pairs.iter(), |&[i, k]| match (scene.members[i].rim, scene.members[k].rim) {
             (Some((onto, tree)), Some((from, _))) => best_match(onto, tree, from),
             _ => Ok(None),
         })?;
-    let found = alloc::try_collect(found)?;
+    let matches = alloc::try_collect(matches)?;
     let mut is_placed = alloc::filled(false, count)?;
     if let Some(first) = is_placed.first_mut() {
         *first = true;
     }
     loop {
         // The best match between a placed piece and one that is not placed.
-        let open = pairs.iter().zip(&found).filter(|(pair, _)| is_placed[pair[0]] != is_placed[pair[1]]);
+        let open = pairs.iter().zip(&matches).filter(|(pair, _)| is_placed[pair[0]] != is_placed[pair[1]]);
         let best = open.filter_map(|(&pair, found)| found.map(|found| (pair, found)));
         let Some(([i, k], (_, pose))) = best.reduce(|x, y| if y.1.0 > x.1.0 { y } else { x }) else {
             return Ok(poses);

@@ -65,7 +65,7 @@ impl<'a> Scene<'a> {
         on: f64,
         job: &Job<'_>,
     ) -> Result<Vec<([usize; 2], PairReport)>> {
-        let found = par::map_jobs(job, STAGE, looks.iter(), |look_at, job| {
+        let reports = par::map_jobs(job, STAGE, looks.iter(), |look_at, job| {
             let [a, b] = look_at.pieces.map(|k| Placed { member: &self.members[k], pose: poses[k] });
             let reach = on * self.spacing(look_at.pieces);
             let samples = a.member.samples;
@@ -74,7 +74,7 @@ impl<'a> Scene<'a> {
                 _ => find_sample_pairs(&a, samples.iter().step_by(part), &b, look_at.gate, reach, job),
             }
         })?;
-        alloc::collect(looks.iter().zip(found).map(|(look, found)| (look.pieces, found)))
+        alloc::collect(looks.iter().zip(reports).map(|(look, report)| (look.pieces, report)))
     }
 
     /// Searches between all near pieces, within this number of spacings.

@@ -72,10 +72,11 @@ impl Flat {
 /// vertices. Memory is linear, except O(n log n) for the factor.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] for a `max_stretch` that is not finite and above 1.
-/// [`Error::BadOffsets`] for the cuts. [`Error::LoopIndexOutOfRange`] for a vertex of a cut that
-/// does not exist. [`Error::CutNotConnected`], [`Error::RepeatedCorner`], [`Error::OutOfMemory`],
-/// [`Error::Cancelled`].
+/// * [`Error::OptionOutOfRange`] for a `max_stretch` that is not finite and above 1.
+/// * [`Error::BadOffsets`] for the cuts.
+/// * [`Error::LoopIndexOutOfRange`] for a vertex of a cut that does not exist.
+/// * [`Error::CutNotConnected`], [`Error::RepeatedCorner`], [`Error::OutOfMemory`],
+///   [`Error::Cancelled`].
 pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Result<Developed> {
     if let Some(stretch) = options.max_stretch {
         Error::require(stretch > 1.0 && stretch.is_finite(), "max_stretch", stretch)?;
@@ -203,20 +204,20 @@ fn flatten(
     let limit = if options.max_iterations == 0 { MAX_ITERATIONS } else { options.max_iterations };
     // The rigid energy does not prevent folds, so start from a map without folds.
     let end = if options.distortion == Distortion::Rigid { 0.6 } else { 0.95 };
-    let mut done = minimise_distortion(&chart, &mut system, Distortion::Symmetric, x, limit, &job.part(0.2, end))?;
-    if options.distortion == Distortion::Rigid && done.end != End::Folded {
-        let before = done.iterations;
-        done = minimise_distortion(&chart, &mut system, Distortion::Rigid, done.x, limit, &job.part(end, 0.95))?;
-        done.iterations += before;
+    let mut descent = minimise_distortion(&chart, &mut system, Distortion::Symmetric, x, limit, &job.part(0.2, end))?;
+    if options.distortion == Distortion::Rigid && descent.end != End::Folded {
+        let before = descent.iterations;
+        descent = minimise_distortion(&chart, &mut system, Distortion::Rigid, descent.x, limit, &job.part(end, 0.95))?;
+        descent.iterations += before;
     }
-    let finish = match done.end {
+    let finish = match descent.end {
         End::Folded => Finish::Folded,
         _ if is_conformal => Finish::NotConformal,
         End::Converged => Finish::Converged,
         End::Stalled => Finish::Stalled,
         End::IterationLimit => Finish::IterationLimit,
     };
-    measure(&chart, done.x, finish, done.iterations, tip, &job.part(0.95, 1.0))
+    measure(&chart, descent.x, finish, descent.iterations, tip, &job.part(0.95, 1.0))
 }
 
 /// Returns true if the border of a map does not intersect itself.

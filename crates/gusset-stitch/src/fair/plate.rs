@@ -100,20 +100,20 @@ pub(crate) fn thin_plate(points: &mut [DVec3], plate: &Plate<'_>, job: &Job<'_>)
 
 /// Returns the free vertices that a chain of free vertices connects with a fixed one.
 fn anchored_vertices(rings: &Rings, free: &[bool]) -> Result<Vec<u32>> {
-    let mut found = alloc::filled(false, free.len())?;
+    let mut is_anchored = alloc::filled(false, free.len())?;
     let mut list = alloc::with_capacity(free.len())?;
     let neighbours = |v: u32| rings.ring(v as usize).iter().map(|&(w, _)| w as usize);
     for v in (0..free.len()).filter(|&v| free[v]) {
         if neighbours(v as u32).any(|w| !free[w]) {
-            found[v] = true;
+            is_anchored[v] = true;
             list.push(v as u32);
         }
     }
     let mut next = 0;
     while next < list.len() {
         for w in neighbours(list[next]) {
-            if free[w] && !found[w] {
-                found[w] = true;
+            if free[w] && !is_anchored[w] {
+                is_anchored[w] = true;
                 list.push(w as u32);
             }
         }

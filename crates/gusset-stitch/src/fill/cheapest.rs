@@ -170,19 +170,19 @@ impl GroupSearch<'_> {
     /// Returns the pairs of a group with its partner groups, nearest first.
     fn pairs_to_try(&self, group: usize) -> Result<Vec<NearPair>> {
         let own = self.loops_of(group);
-        let mut found = Vec::new();
+        let mut neighbours = Vec::new();
         for &(k, distance) in own.iter().flat_map(|&k| &self.partners[k]) {
             let other = self.owner[k];
             if other != group && own.len() + self.loops_of(other).len() <= MAX_LOOPS {
-                alloc::push(&mut found, (other, distance))?;
+                alloc::push(&mut neighbours, (other, distance))?;
             }
         }
-        sort::stable(&mut found, &|(i, a), (k, b)| i.cmp(k).then(by_distance(a, b)));
-        found.dedup_by_key(|&mut (other, _)| other);
-        found.sort_unstable_by(nearest_first);
-        found.truncate(MAX_NEIGHBOURS);
+        sort::stable(&mut neighbours, &|(i, a), (k, b)| i.cmp(k).then(by_distance(a, b)));
+        neighbours.dedup_by_key(|&mut (other, _)| other);
+        neighbours.sort_unstable_by(nearest_first);
+        neighbours.truncate(MAX_NEIGHBOURS);
         let pair = |&(other, distance): &(usize, Distance)| ([group.min(other), group.max(other)], distance);
-        alloc::collect(found.iter().map(pair))
+        alloc::collect(neighbours.iter().map(pair))
     }
 
     /// Adds the pairs that gain.
@@ -266,15 +266,15 @@ fn nearby_pairs(boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<NearPair>> {
     let mut pairs = Vec::new();
     for (i, room) in rooms.iter().enumerate() {
         job.part(0.2, 1.0).step_every(REPORT_INTERVAL, i, rooms.len(), "triangulating holes")?;
-        let mut found = Vec::new();
+        let mut neighbours = Vec::new();
         tree.overlapping(room, 0.0, |leaf| {
             let others = order.get(leaf).map(|&k| k as usize).filter(|&k| k != i);
             let distance = |k: usize| [boxes[i].distance(&boxes[k]), boxes[i].centre().distance(boxes[k].centre())];
-            alloc::extend(&mut found, others.map(|k| (k, distance(k))))
+            alloc::extend(&mut neighbours, others.map(|k| (k, distance(k))))
         })?;
-        found.sort_unstable_by(nearest_first);
-        found.truncate(MAX_NEIGHBOURS);
-        alloc::extend(&mut pairs, found.iter().map(|&(k, distance)| ([i, k], distance)))?;
+        neighbours.sort_unstable_by(nearest_first);
+        neighbours.truncate(MAX_NEIGHBOURS);
+        alloc::extend(&mut pairs, neighbours.iter().map(|&(k, distance)| ([i, k], distance)))?;
     }
     pairs.sort_unstable_by(nearest_first);
     let mut counts = alloc::filled(0, boxes.len())?;

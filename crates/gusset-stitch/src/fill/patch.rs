@@ -77,7 +77,8 @@ pub(super) fn attempts(options: &Options) -> Vec<Attempt> {
     ways
 }
 
-/// A patch. The rim's vertices keep their numbers in the [`PatchRim`], and `points` come after them.
+/// A patch. The rim's vertices keep their numbers in the [`PatchRim`], and `points` come after
+/// them.
 pub(super) struct Patch {
     /// The new vertices, in the rim's unit and from its origin.
     pub(super) points: Vec<DVec3>,

@@ -155,15 +155,15 @@ fn faces_beyond(mesh: &MeshView<'_>, passes: &[u8], corners: &[(u32, u32)], job:
     for &(_, f) in corners {
         mesh.face(f as usize).for_each(|v| is_next[v as usize] = true);
     }
-    let mut found = Vec::new();
+    let mut corners_beyond = Vec::new();
     for f in 0..mesh.faces().len() {
         job.step_every(REPORT_INTERVAL, f, mesh.faces().len(), STAGE)?;
         if mesh.face(f).all(|v| passes[v as usize] == 0) {
-            alloc::extend(&mut found, mesh.face(f).filter(|&v| is_next[v as usize]).map(|v| (v, f as u32)))?;
+            alloc::extend(&mut corners_beyond, mesh.face(f).filter(|&v| is_next[v as usize]).map(|v| (v, f as u32)))?;
         }
     }
-    sort_distinct(&mut found);
-    Ok(found)
+    sort_distinct(&mut corners_beyond);
+    Ok(corners_beyond)
 }
 
 impl Surroundings<'_> {

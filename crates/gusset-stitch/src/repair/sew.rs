@@ -69,12 +69,12 @@ pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew>
         Some(tolerance) => Source::Given(tolerance),
         None => Source::Earlier(first.tolerance),
     };
-    let mut done = Sew::from_weld(first)?;
-    if done.mesh.face_count() == 0 {
-        return Ok(done);
+    let mut sewn = Sew::from_weld(first)?;
+    if sewn.mesh.face_count() == 0 {
+        return Ok(sewn);
     }
     let (split, left) = {
-        let view = done.mesh.view(&job.part(0.4, 0.45))?;
+        let view = sewn.mesh.view(&job.part(0.4, 0.45))?;
         let topology = Topology::new(&view, &job.part(0.45, 0.5))?;
         let junctions = Junctions::find(&view, &topology, source, &job.part(0.5, 0.7))?;
         (split_edges(&view, &junctions, &job.part(0.7, 0.75))?, junctions.left)
@@ -89,12 +89,12 @@ pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew>
             Some(weld_within(&view, &options, source, &job.part(0.8, 1.0))?)
         }
     };
-    done.list_left(&left, second.as_ref())?;
+    sewn.list_left(&left, second.as_ref())?;
     if let Some(second) = second {
-        done.follow(split, second)?;
+        sewn.follow(split, second)?;
     }
     job.step(1.0, STAGE)?;
-    Ok(done)
+    Ok(sewn)
 }
 
 impl Sew {

@@ -1,5 +1,5 @@
 //! A blend that replaces a strip: triangles as fine as those around it, on a surface tangent to
-//! both pieces; see [`blend`](crate::blend).
+//! both pieces; see [`crate::blend`].
 
 use super::grid::FaceList;
 use super::neighbourhood::Neighbourhood;

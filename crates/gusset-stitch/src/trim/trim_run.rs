@@ -39,9 +39,11 @@ const MAX_ROUNDS: usize = 12;
 /// O(V log F) for each piece and those near it, on the job's threads. Memory: linear.
 ///
 /// # Errors
-/// [`Error::EmptyMesh`] without pieces. [`Error::OptionOutOfRange`] for a distance or an angle out
-/// of range. [`Error::InputsDiffer`] for fewer viewpoints than pieces. [`Error::NotFinite`] for a
-/// viewpoint that is not finite. [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// * [`Error::EmptyMesh`] without pieces.
+/// * [`Error::OptionOutOfRange`] for a distance or an angle out of range.
+/// * [`Error::InputsDiffer`] for fewer viewpoints than pieces.
+/// * [`Error::NotFinite`] for a viewpoint that is not finite.
+/// * [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Trimmed> {
     if pieces.is_empty() {
         return Err(Error::EmptyMesh { what: "pieces" });
@@ -111,12 +113,12 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
                 continue;
             }
         }
-        let mut found = crossings(&layers, &regions, &job.part(0.7, 1.0))?;
-        add_touching(&layers, &regions, &pairs, &mut found)?;
-        if found.iter().all(Vec::is_empty) {
+        let mut crossing_faces = crossings(&layers, &regions, &job.part(0.7, 1.0))?;
+        add_touching(&layers, &regions, &pairs, &mut crossing_faces)?;
+        if crossing_faces.iter().all(Vec::is_empty) {
             break;
         }
-        for (region, faces) in regions.iter_mut().zip(&found) {
+        for (region, faces) in regions.iter_mut().zip(&crossing_faces) {
             cut += faces.len() as u32;
             region.remove_for_good(faces)?;
         }

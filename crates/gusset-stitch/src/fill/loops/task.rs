@@ -97,7 +97,7 @@ impl Task<'_> {
                 tree.binary_search_by_key(&[u.min(v), u.max(v)], |&(ends, _)| ends).is_ok()
             }
         };
-        let mut found: Option<(Vec<[u32; 3]>, Cost)> = None;
+        let mut best: Option<(Vec<[u32; 3]>, Cost)> = None;
         let mut open = vec![Vec::<[u32; 2]>::new()];
         while let Some(without) = open.pop() {
             let forbidden = |i: usize, k: usize| {
@@ -105,7 +105,7 @@ impl Task<'_> {
                 let is_out = || without.binary_search(&[i as u32, k as u32]).is_ok();
                 self.forbids(u, v) || is_bridge(u, v) || excluded(u, v) || is_out()
             };
-            let least = found.as_ref().map(|(_, cost)| cost).or(limit);
+            let least = best.as_ref().map(|(_, cost)| cost).or(limit);
             let Some(next) = best_triangulation(&scale, chords, &forbidden, least, job)? else {
                 continue;
             };
@@ -116,10 +116,10 @@ impl Task<'_> {
             }
             let cost = next.cost.plus(bridge_bends(&scale, &tree, &next.triangles)?);
             if least.is_none_or(|least| scale.is_less(&cost, least)) {
-                found = Some((next.triangles, cost));
+                best = Some((next.triangles, cost));
             }
         }
-        Ok(found.map(|(triangles, cost)| Closed { opened, triangles, cost }))
+        Ok(best.map(|(triangles, cost)| Closed { opened, triangles, cost }))
     }
 
     /// Returns the cost of any triangles that close the loops, over the vertices of all loops.
