@@ -4,9 +4,9 @@
 //! the free boundary loops of two open meshes, and join them by a strip of new faces. The errata of
 //! the paper are in `docs/errata.md`. Other modules follow the articles that their pages name.
 //!
-//! Every operation takes a [`MeshView`](gusset_mesh::MeshView) of the host's arrays and returns a [`Mesh`](gusset_mesh::Mesh) with
-//! a report. Old vertices keep their bits. Positions are in single or double precision;
-//! computations are in double precision.
+//! Every operation takes a [`MeshView`](gusset_mesh::MeshView) of the host's arrays and returns a
+//! [`Mesh`](gusset_mesh::Mesh) with a report. Old vertices keep their bits. Positions are in single
+//! or double precision; computations are in double precision.
 //!
 //! | module | task | source |
 //! |---|---|---|
@@ -20,7 +20,7 @@
 //! | [`fill`] | closes holes by new faces | Barequet and Sharir 1995; Liepa 2003 |
 //! | [`assemble`] | joins many pieces into one mesh | |
 //! | [`develop`] | lays surfaces out in the plane | Rabinovich and others 2017 |
-//! | `blend` | replaces the coarse faces of a strip or patch by fine faces | Botsch and Kobbelt 2004 |
+//! | `blend` | replaces coarse faces of a strip or patch by fine ones | Botsch and Kobbelt 2004 |
 //! | [`fair`] | moves new vertices to where a thin plate bends least | Liepa 2003 |
 //! | `remesh` | splits, flips and refines the triangles of a patch | |
 //! | `intersect` | finds intersecting triangles, exactly | Shewchuk 1997 |

@@ -6,7 +6,7 @@ use super::judge::{NEAR_SPACINGS, ON_SPACINGS, judge};
 use super::member::Member;
 use super::pose::Pose;
 use super::rim_features::align_rims;
-use super::sampled_rim::{Rim, common_step};
+use super::sampled_rim::{SampledRim, common_step};
 use super::scan::Scan;
 use super::scene::Scene;
 use gusset_base::alloc;
@@ -35,9 +35,11 @@ const MAX_SKEW: f64 = 1e-6;
 /// neighbours in each round, on the job's threads. Memory: linear in the vertices and faces.
 ///
 /// # Errors
-/// [`Error::EmptyMesh`] without pieces. [`Error::OptionOutOfRange`] for a distance that is not
-/// positive and finite. [`Error::InputsDiffer`] for fewer poses than pieces. [`Error::NotRigid`]
-/// for a pose that is not a rotation and translation. [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// * [`Error::EmptyMesh`] without pieces.
+/// * [`Error::OptionOutOfRange`] for a distance that is not positive and finite.
+/// * [`Error::InputsDiffer`] for fewer poses than pieces.
+/// * [`Error::NotRigid`] for a pose that is not a rotation and translation.
+/// * [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Alignment> {
     if pieces.is_empty() {
         return Err(Error::EmptyMesh { what: "pieces" });
@@ -61,7 +63,7 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
     if options.start == Start::Rims {
         let step = common_step(pieces, unit, &prepare.part(1.0, 1.0))?;
         for (piece, scan) in pieces.iter().zip(&scans) {
-            alloc::push(&mut rims, Rim::new(piece, scan, step, &prepare.part(1.0, 1.0))?)?;
+            alloc::push(&mut rims, SampledRim::new(piece, scan, step, &prepare.part(1.0, 1.0))?)?;
         }
     }
     let rim_trees =
@@ -81,7 +83,7 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
     let origin = scans[0].centre;
     let started = job.part(0.2, 0.4);
     let mut poses = match options.start {
-        Start::AsGiven => alloc::collect(scans.iter().map(|scan| shifted(scan.centre - origin)))?,
+        Start::AsGiven => alloc::collect(scans.iter().map(|scan| translation_by(scan.centre - origin)))?,
         Start::Poses(given) => alloc::collect(scans.iter().zip(given).map(|(scan, pose)| {
             Pose { rotation: pose.rotation, translation: pose.point(scan.centre * unit) / unit - origin }
                 .orthonormalised()
@@ -91,11 +93,11 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
     };
     let rounds = if options.max_rounds == 0 { ROUNDS } else { options.max_rounds };
     let (rounds, converged) = scene.relax(&mut poses, rounds, &job.part(0.4, 0.9))?;
-    let found = scene.find_within(&poses, NEAR_SPACINGS, ON_SPACINGS, &job.part(0.9, 1.0))?;
-    let (overlaps, known) = judge(&scene.members, &found, unit)?;
+    let reports = scene.find_within(&poses, NEAR_SPACINGS, ON_SPACINGS, &job.part(0.9, 1.0))?;
+    let (overlaps, known) = judge(&scene.members, &reports, unit)?;
     let pieces = poses.iter().zip(&scans).zip(known).map(|((pose, scan), (reason, hold))| {
         // Rounding must not move a piece that stays.
-        if *pose == shifted(scan.centre - origin) {
+        if *pose == translation_by(scan.centre - origin) {
             return Aligned { pose: Pose::IDENTITY, reason, hold };
         }
         let back = pose.rotation * scan.centre;
@@ -108,7 +110,7 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
     Ok(Alignment { pieces, overlaps, rounds, converged })
 }
 
-fn shifted(by: glam::DVec3) -> Pose {
+fn translation_by(by: glam::DVec3) -> Pose {
     Pose { translation: by, ..Pose::IDENTITY }
 }
 

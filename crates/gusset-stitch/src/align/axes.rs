@@ -36,9 +36,9 @@ pub(super) fn align_axes(scene: &Scene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> 
             let start = Pose { rotation, translation: first.scan.mean - rotation * scan.mean };
             let mut both = [Pose::IDENTITY, start];
             two.relax(&mut both, ROUNDS, &part)?;
-            let found =
+            let reports =
                 two.find_within(&both, super::judge::NEAR_SPACINGS, super::judge::ON_SPACINGS, &part.part(1.0, 1.0))?;
-            let score = found.iter().map(|(_, found)| found.on).sum::<usize>() as f64;
+            let score = reports.iter().map(|(_, report)| report.on).sum::<usize>() as f64;
             if score > best.0 {
                 best = (score, both[1]);
             }

@@ -21,10 +21,10 @@ pub(super) struct Hold {
 /// Errors of normals look like slopes that hold a piece. Suppose that both normals of a pair have
 /// errors of variance s in each direction. Then the mean of 1 minus the cosine between them is 2 s,
 /// and the variance of their mean normal is s / 2.
-pub(super) fn measure_holds(count: usize, found: &[([usize; 2], PairReport)]) -> Result<Vec<Hold>> {
+pub(super) fn measure_holds(count: usize, reports: &[([usize; 2], PairReport)]) -> Result<Vec<Hold>> {
     let mut own: Vec<([Six; 6], f64, f64)> = alloc::filled(([[0.0; 6]; 6], 0.0, 0.0), count)?;
-    for (pieces, found) in found {
-        let equations = &found.equations;
+    for (pieces, report) in reports {
+        let equations = &report.equations;
         for (k, &piece) in pieces.iter().enumerate() {
             let (sum, weight, turn) = &mut own[piece];
             for (i, row) in sum.iter_mut().enumerate() {
@@ -33,7 +33,7 @@ pub(super) fn measure_holds(count: usize, found: &[([usize; 2], PairReport)]) ->
                 }
             }
             *weight += equations.weight;
-            *turn += equations.weight * found.turn;
+            *turn += equations.weight * report.turn;
         }
     }
     alloc::collect(own.into_iter().map(|(sum, weight, turn)| {

@@ -29,15 +29,15 @@ pub(super) type Verdict = (Reason, f64);
 /// Returns the overlaps, and for each piece the reason and the stiffness.
 pub(super) fn judge(
     members: &[Member<'_>],
-    found: &[([usize; 2], PairReport)],
+    reports: &[([usize; 2], PairReport)],
     unit: f64,
 ) -> Result<(Vec<Overlap>, Vec<Verdict>)> {
     let mut overlaps: Vec<Overlap> = Vec::new();
     let mut opposite = alloc::filled([0usize; 2], members.len())?;
-    for ([i, k], one) in found.iter().filter(|([i, k], _)| i < k) {
-        let back = found.binary_search_by_key(&[*k, *i], |(pair, _)| *pair).ok().map(|at| &found[at].1);
+    for ([i, k], one) in reports.iter().filter(|([i, k], _)| i < k) {
+        let back = reports.binary_search_by_key(&[*k, *i], |(pair, _)| *pair).ok().map(|at| &reports[at].1);
         let ways = [Some(one), back];
-        let sum = |of: &dyn Fn(&PairReport) -> f64| ways.iter().flatten().map(|found| of(found)).sum::<f64>();
+        let sum = |of: &dyn Fn(&PairReport) -> f64| ways.iter().flatten().map(|report| of(report)).sum::<f64>();
         let on = sum(&|f| f.on as f64);
         let near = sum(&|f| f.near as f64);
         for piece in [*i, *k] {
@@ -47,7 +47,7 @@ pub(super) fn judge(
         if on == 0.0 {
             continue;
         }
-        let share = |found: Option<&PairReport>| found.map_or(0.0, |f| f.on as f64 / f.samples.max(1) as f64);
+        let share = |report: Option<&PairReport>| report.map_or(0.0, |f| f.on as f64 / f.samples.max(1) as f64);
         let fit = on / near.max(1.0);
         alloc::push(
             &mut overlaps,
@@ -62,7 +62,7 @@ pub(super) fn judge(
             },
         )?;
     }
-    let holds = measure_holds(members.len(), found)?;
+    let holds = measure_holds(members.len(), reports)?;
     let size = |k: usize| members[k].scan.bounds.diagonal();
     let mut reasons = alloc::with_capacity(members.len())?;
     for k in 0..members.len() {

@@ -1,6 +1,6 @@
 //! A piece in an alignment, with its samples.
 
-use super::sampled_rim::Rim;
+use super::sampled_rim::SampledRim;
 use super::scan::Scan;
 use gusset_base::geom::kd_tree::KdTree;
 
@@ -12,5 +12,5 @@ pub(super) struct Member<'a> {
     /// The vertices to look for on other pieces, in spatial order.
     pub(super) samples: &'a [u32],
     /// The piece's rims, if the alignment uses rims.
-    pub(super) rim: Option<(&'a Rim, &'a KdTree<'a>)>,
+    pub(super) rim: Option<(&'a SampledRim, &'a KdTree<'a>)>,
 }

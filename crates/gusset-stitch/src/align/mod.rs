@@ -29,7 +29,7 @@
 //! | [`sampled_rim`](self) | a piece's rims at equal steps, with frames and signatures |
 //! | [`member`](self) | a piece in an alignment, with its samples |
 //! | [`sample_pairs`](self) | pairs of samples on other pieces, and their equations |
-//! | [`rim_pairs`](self) | pairs of rim samples |
+//! | [`rim_sample_pairs`](self) | pairs of rim samples |
 //! | [`scene`](self) | the pieces, and the pairs that are near |
 //! | [`motion_system`](self) | the equations of all motions, solved by conjugate gradients |
 //! | [`freedom`](self) | the stiffness with which overlaps hold a piece |
@@ -42,7 +42,7 @@
 
 mod align_request;
 mod align_run;
-mod rim_pairs;
+mod rim_sample_pairs;
 mod axes;
 mod freedom;
 mod judge;

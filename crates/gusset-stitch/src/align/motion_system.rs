@@ -21,7 +21,7 @@ const MAX_ITERATIONS: usize = 2;
 pub(super) type Six = [f64; 6];
 
 /// The symmetric equations of the pieces' motions.
-pub(super) struct System {
+pub(super) struct MotionSystem {
     own: Vec<[Six; 6]>,
     right: Vec<Six>,
     /// For pieces i and j, the block of i's rows and j's columns.
@@ -29,10 +29,10 @@ pub(super) struct System {
     is_fixed: Vec<bool>,
 }
 
-impl System {
-    pub(super) fn new(is_fixed: &[bool]) -> Result<System> {
+impl MotionSystem {
+    pub(super) fn new(is_fixed: &[bool]) -> Result<MotionSystem> {
         let count = is_fixed.len();
-        Ok(System {
+        Ok(MotionSystem {
             own: alloc::filled([[0.0; 6]; 6], count)?,
             right: alloc::filled([0.0; 6], count)?,
             couplings: Vec::new(),
@@ -64,7 +64,7 @@ impl System {
         let mut x = alloc::filled([0.0; 6], count)?;
         let mut residual = alloc::copied(&self.right)?;
         self.clear_fixed(&mut residual);
-        let mut conditioned = self.conditioned(&residual)?;
+        let mut conditioned = self.precondition(&residual)?;
         let mut direction = alloc::copied(&conditioned)?;
         let mut product = alloc::filled([0.0; 6], count)?;
         let mut size = dot(&residual, &conditioned);
@@ -81,7 +81,7 @@ impl System {
             let step = size / curvature;
             add(&mut x, step, &direction);
             add(&mut residual, -step, &product);
-            conditioned = self.conditioned(&residual)?;
+            conditioned = self.precondition(&residual)?;
             let before = size;
             size = dot(&residual, &conditioned);
             let turn = size / before;
@@ -110,7 +110,7 @@ impl System {
     }
 
     /// Solves each piece's own block.
-    fn conditioned(&self, x: &[Six]) -> Result<Vec<Six>> {
+    fn precondition(&self, x: &[Six]) -> Result<Vec<Six>> {
         alloc::collect(x.iter().zip(&self.own).map(|(x, own)| {
             let mut lower = *own;
             let mut right = x.map(|x| DVec3::new(x, 0.0, 0.0));

@@ -1,6 +1,6 @@
 //! The rounds: pairs are searched and the best motions applied, until nothing moves.
 
-use super::motion_system::System;
+use super::motion_system::MotionSystem;
 use super::pose::Pose;
 use super::sample_pairs::PairReport;
 use super::scene::{MIN_PAIRS, Scene};
@@ -24,19 +24,19 @@ impl Scene<'_> {
     pub(super) fn relax(&self, poses: &mut [Pose], rounds: u32, job: &Job<'_>) -> Result<(u32, bool)> {
         let (mut done, mut is_still) = (0, true);
         for stage in 0..SAMPLE_STRIDES.len() {
-            let mut looks = self.looks(poses)?;
+            let mut looks = self.searches(poses)?;
             let job = job.share(stage, SAMPLE_STRIDES.len());
             for round in 0..rounds {
                 let part = job.share(round as usize, rounds as usize);
-                let found = self.find(poses, &looks, SAMPLE_STRIDES[stage], 1.0, &part)?;
-                for (look, (_, found)) in looks.iter_mut().zip(&found) {
-                    look.gate = match found.near {
+                let reports = self.find(poses, &looks, SAMPLE_STRIDES[stage], 1.0, &part)?;
+                for (look, (_, report)) in looks.iter_mut().zip(&reports) {
+                    look.gate = match report.near {
                         n if n < MIN_PAIRS => self.reach,
-                        _ => (GATE_RATIO * found.distance.max(self.spacing(look.pieces))).min(self.reach),
+                        _ => (GATE_RATIO * report.distance.max(self.spacing(look.pieces))).min(self.reach),
                     };
                 }
                 done += 1;
-                is_still = self.step(poses, &found)? <= MAX_STILL_MOTION[stage];
+                is_still = self.step(poses, &reports)? <= MAX_STILL_MOTION[stage];
                 if is_still {
                     break;
                 }
@@ -47,11 +47,11 @@ impl Scene<'_> {
 
     /// Applies the motions that fit the pairs best. Returns the largest motion of a point, in
     /// spacings.
-    fn step(&self, poses: &mut [Pose], found: &[([usize; 2], PairReport)]) -> Result<f64> {
+    fn step(&self, poses: &mut [Pose], reports: &[([usize; 2], PairReport)]) -> Result<f64> {
         let count = self.members.len();
         let mut together = DisjointSets::new(count)?;
-        let enough = |found: &&([usize; 2], PairReport)| found.1.near >= MIN_PAIRS;
-        for ([i, k], _) in found.iter().filter(enough) {
+        let enough = |report: &&([usize; 2], PairReport)| report.1.near >= MIN_PAIRS;
+        for ([i, k], _) in reports.iter().filter(enough) {
             together.union(*i as u32, *k as u32);
         }
         let mut seen = alloc::filled(false, count)?;
@@ -60,9 +60,9 @@ impl Scene<'_> {
             let root = together.find(k as u32) as usize;
             (*stays, seen[root]) = (!seen[root], true);
         }
-        let mut system = System::new(&stays)?;
-        for (pair, found) in found.iter().filter(enough) {
-            system.add(*pair, &found.equations)?;
+        let mut system = MotionSystem::new(&stays)?;
+        for (pair, report) in reports.iter().filter(enough) {
+            system.add(*pair, &report.equations)?;
         }
         let mut moved = 0.0f64;
         for (k, [a, b, c, x, y, z]) in system.solve()?.into_iter().enumerate() {

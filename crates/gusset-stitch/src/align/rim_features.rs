@@ -5,7 +5,7 @@
 //! signatures are tried, and the motion with the longest common rim is kept.
 
 use super::pose::Pose;
-use super::sampled_rim::{MIN_COSINE, Rim, STAGE, Signature};
+use super::sampled_rim::{MIN_COSINE, STAGE, SampledRim, Signature};
 use super::scene::Scene;
 use glam::{DMat3, DVec3};
 use gusset_base::alloc;
@@ -35,19 +35,19 @@ pub(super) fn align_rims(scene: &Scene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> 
     let count = scene.members.len();
     let mut poses = alloc::filled(Pose::IDENTITY, count)?;
     let pairs = alloc::gather((0..count).flat_map(|i| (0..count).map(move |k| [i, k])).filter(|[i, k]| i < k))?;
-    let found =
+    let matches =
         par::map_cancellable(job, STAGE, pairs.iter(), |&[i, k]| match (scene.members[i].rim, scene.members[k].rim) {
             (Some((onto, tree)), Some((from, _))) => best_match(onto, tree, from),
             _ => Ok(None),
         })?;
-    let found = alloc::try_collect(found)?;
+    let matches = alloc::try_collect(matches)?;
     let mut is_placed = alloc::filled(false, count)?;
     if let Some(first) = is_placed.first_mut() {
         *first = true;
     }
     loop {
         // The best match between a placed piece and one that is not placed.
-        let open = pairs.iter().zip(&found).filter(|(pair, _)| is_placed[pair[0]] != is_placed[pair[1]]);
+        let open = pairs.iter().zip(&matches).filter(|(pair, _)| is_placed[pair[0]] != is_placed[pair[1]]);
         let best = open.filter_map(|(&pair, found)| found.map(|found| (pair, found)));
         let Some(([i, k], (_, pose))) = best.reduce(|x, y| if y.1.0 > x.1.0 { y } else { x }) else {
             return Ok(poses);
@@ -60,7 +60,7 @@ pub(super) fn align_rims(scene: &Scene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> 
 
 /// Returns the motion of `from` that puts most of its samples on the rims of `onto`; `None` without
 /// a match.
-fn best_match(onto: &Rim, tree: &KdTree<'_>, from: &Rim) -> Result<Option<Match>> {
+fn best_match(onto: &SampledRim, tree: &KdTree<'_>, from: &SampledRim) -> Result<Option<Match>> {
     let (theirs, own) = (onto.signatures(false)?, from.signatures(true)?);
     let mut trials: Vec<(f64, usize, usize)> = Vec::new();
     let differ = |a: &Signature, b: &Signature| a.iter().zip(b).map(|(a, b)| a.distance_squared(*b)).sum::<f64>();
@@ -91,7 +91,7 @@ fn best_match(onto: &Rim, tree: &KdTree<'_>, from: &Rim) -> Result<Option<Match>
 }
 
 /// Returns the samples of `from` that lie on the rims of `onto`, with the samples there.
-fn near_samples(onto: &Rim, tree: &KdTree<'_>, from: &Rim, pose: &Pose) -> Result<Vec<[usize; 2]>> {
+fn near_samples(onto: &SampledRim, tree: &KdTree<'_>, from: &SampledRim, pose: &Pose) -> Result<Vec<[usize; 2]>> {
     let gate = NEAR_STEPS * onto.step;
     alloc::gather((0..from.points.len()).filter_map(|k| {
         let (along, normal) = (pose.direction(from.directions[k]), pose.direction(from.normals[k]));
@@ -104,7 +104,7 @@ fn near_samples(onto: &Rim, tree: &KdTree<'_>, from: &Rim, pose: &Pose) -> Resul
 
 /// Returns the motion that minimises the squared distances of the pairs; `None` for fewer than
 /// three pairs.
-fn best_fit(onto: &Rim, from: &Rim, pairs: &[[usize; 2]]) -> Option<Pose> {
+fn best_fit(onto: &SampledRim, from: &SampledRim, pairs: &[[usize; 2]]) -> Option<Pose> {
     if pairs.len() < 3 {
         return None;
     }

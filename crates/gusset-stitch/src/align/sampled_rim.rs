@@ -24,7 +24,7 @@ pub(super) const MIN_COSINE: f64 = std::f64::consts::FRAC_1_SQRT_2;
 pub(super) type Signature = [DVec3; 2 * OFFSETS.len()];
 
 /// The rims of a piece at equal steps.
-pub(super) struct Rim {
+pub(super) struct SampledRim {
     pub(crate) points: Vec<DVec3>,
     pub(super) directions: Vec<DVec3>,
     pub(crate) normals: Vec<DVec3>,
@@ -45,11 +45,12 @@ pub(super) fn common_step(meshes: &[MeshView<'_>], unit: f64, job: &Job<'_>) -> 
     Ok(step)
 }
 
-impl Rim {
+impl SampledRim {
     /// Samples the rims of a piece. O(F), plus the samples.
-    pub(super) fn new(mesh: &MeshView<'_>, scan: &Scan, step: f64, job: &Job<'_>) -> Result<Rim> {
+    pub(super) fn new(mesh: &MeshView<'_>, scan: &Scan, step: f64, job: &Job<'_>) -> Result<SampledRim> {
         let found = boundary_loops(mesh, &boundary::Options::default(), job)?;
-        let mut rim = Rim { points: Vec::new(), directions: Vec::new(), normals: Vec::new(), starts: vec![0], step };
+        let mut rim =
+            SampledRim { points: Vec::new(), directions: Vec::new(), normals: Vec::new(), starts: vec![0], step };
         for walk in found.iter().filter(|walk| !walk.flags.any(LoopFlags::OPEN)) {
             rim.add(walk.vertices, scan)?;
         }

@@ -2,7 +2,7 @@
 
 use super::member::Member;
 use super::pose::Pose;
-use super::rim_pairs::find_rim_pairs;
+use super::rim_sample_pairs::find_rim_pairs;
 use super::sample_pairs::{PairReport, Placed, STAGE, find_sample_pairs};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -42,7 +42,7 @@ impl<'a> Scene<'a> {
     }
 
     /// Returns the searches between pieces that are near enough, in both directions.
-    pub(super) fn looks(&self, poses: &[Pose]) -> Result<Vec<Look>> {
+    pub(super) fn searches(&self, poses: &[Pose]) -> Result<Vec<Look>> {
         let bounds = |k: usize| &self.members[k].scan.bounds;
         let is_there = |k: usize| !self.members[k].scan.used.is_empty();
         let is_near = |[i, k]: [usize; 2]| {
@@ -65,7 +65,7 @@ impl<'a> Scene<'a> {
         on: f64,
         job: &Job<'_>,
     ) -> Result<Vec<([usize; 2], PairReport)>> {
-        let found = par::map_jobs(job, STAGE, looks.iter(), |look_at, job| {
+        let reports = par::map_jobs(job, STAGE, looks.iter(), |look_at, job| {
             let [a, b] = look_at.pieces.map(|k| Placed { member: &self.members[k], pose: poses[k] });
             let reach = on * self.spacing(look_at.pieces);
             let samples = a.member.samples;
@@ -74,7 +74,7 @@ impl<'a> Scene<'a> {
                 _ => find_sample_pairs(&a, samples.iter().step_by(part), &b, look_at.gate, reach, job),
             }
         })?;
-        alloc::collect(looks.iter().zip(found).map(|(look, found)| (look.pieces, found)))
+        alloc::collect(looks.iter().zip(reports).map(|(look, report)| (look.pieces, report)))
     }
 
     /// Searches between all near pieces, within this number of spacings.
@@ -85,7 +85,7 @@ impl<'a> Scene<'a> {
         on: f64,
         job: &Job<'_>,
     ) -> Result<Vec<([usize; 2], PairReport)>> {
-        let mut looks = self.looks(poses)?;
+        let mut looks = self.searches(poses)?;
         // The gate does not exceed the reach.
         looks.iter_mut().for_each(|look| look.gate = (within * self.spacing(look.pieces)).min(self.reach));
         self.find(poses, &looks, 1, on, job)

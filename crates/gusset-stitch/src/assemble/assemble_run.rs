@@ -24,8 +24,8 @@ use gusset_mesh::{MeshView, NONE};
 const GAP_EDGES: [f64; 2] = [2.5, 4.0];
 /// Number of rounds that remove faces of trimmed pieces where they cannot be joined.
 const MAX_ROUNDS: u32 = 10;
-/// Number of first rounds that accept intersecting strips and remove faces around them. Later rounds
-/// refuse such strips.
+/// Number of first rounds that accept intersecting strips and remove faces around them. Later
+/// rounds refuse such strips.
 const STRIP_ROUNDS: u32 = 4;
 /// After this number of rounds, the whole rim of a patch that still intersects is removed.
 const MAX_RING_ROUNDS: u32 = 6;
@@ -42,11 +42,12 @@ const ADDITIONAL_PASSES: usize = 2;
 /// intersections, each takes a pass over all faces. Linear extra memory.
 ///
 /// # Errors
-/// [`Error::EmptyMesh`] without pieces, [`Error::MixedScalars`]. [`Error::OptionOutOfRange`] for a
-/// gap or tolerance that is negative or not finite. [`Error::BadLoopPair`] for an entry of `pairs`
-/// or `excluded` that does not name loops that can be joined. [`Error::TooLarge`],
-/// [`Error::OutOfMemory`], [`Error::Cancelled`]. Two loops that cannot be joined are not an error;
-/// see [`Joint::outcome`].
+/// * [`Error::EmptyMesh`] without pieces, [`Error::MixedScalars`].
+/// * [`Error::OptionOutOfRange`] for a gap or tolerance that is negative or not finite.
+/// * [`Error::BadLoopPair`] for an entry of `pairs` or `excluded` that does not name loops that can
+///   be joined.
+/// * [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`]. Two loops that cannot be
+///   joined are not an error; see [`Joint::outcome`].
 pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Assembly> {
     if let MaxGap::Given(gap) = options.max_gap {
         Error::require((0.0..f64::INFINITY).contains(&gap), "max_gap", gap)?;
@@ -54,7 +55,7 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
     let Overlaps::Trim(how) = options.overlaps else {
         let mut base = Base::new(pieces, None, options, &job.part(0.0, 0.3))?;
         base.assembly.left = join(&mut base, options, &mut Cuts::Kept, &job.part(0.3, 0.8))?;
-        return finish(base, options, &job.part(0.8, 1.0)).map(|(done, _)| done);
+        return finish(base, options, &job.part(0.8, 1.0)).map(|(assembly, _)| assembly);
     };
     let mut trimmed = trim(pieces, &how, &job.part(0.0, 0.4))?;
     // Pieces that were cut along an overlap are near each other, so the gap is narrow unless parts
@@ -72,20 +73,20 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
             given => given,
         };
         let how_wide = Options { max_gap: gap_of(edges), ..*options };
-        let (done, cuts) = join_trimmed(pieces, &trimmed, &how_wide, gap_of(GAP_EDGES[1]), refuses, &now)?;
+        let (assembly, cuts) = join_trimmed(pieces, &trimmed, &how_wide, gap_of(GAP_EDGES[1]), refuses, &now)?;
         let is_final = refuses || cuts.is_empty();
         if is_final && round >= MAX_ROUNDS {
-            return Ok(done);
+            return Ok(assembly);
         }
         round += 1;
-        let spoilt = Removals::new(pieces, &done, &cuts, how.least_island(), round > MAX_RING_ROUNDS, &then)?;
+        let spoilt = Removals::new(pieces, &assembly, &cuts, how.least_island(), round > MAX_RING_ROUNDS, &then)?;
         let widens = spoilt.has_unjoined_parts() && edges == GAP_EDGES[0] && options.max_gap == MaxGap::Auto;
         if widens {
             edges = GAP_EDGES[1];
         }
-        if !spoilt.remove_from(pieces, &mut trimmed, &done, !widens) && !widens {
+        if !spoilt.remove_from(pieces, &mut trimmed, &assembly, !widens) && !widens {
             if is_final {
-                return Ok(done);
+                return Ok(assembly);
             }
             round = STRIP_ROUNDS;
         }
@@ -138,7 +139,7 @@ fn finish(mut base: Base, options: &Options<'_>, job: &Job<'_>) -> Result<(Assem
     let is_near = |left: &&LeftLoop| matches!(left.reason, Reason::LooksAway | Reason::Taken | Reason::NotJoined);
     base.assembly.near_loops_left = base.assembly.left.iter().filter(is_near).count() as u32;
     if base.assembly.near_loops_left > 0 {
-        job.note("loops are left although others are near: the account of the assembly says why");
+        job.note("loops are left although others are near: the report of the assembly gives the reasons");
     }
     base.finish(options, job)
 }

@@ -183,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn the_best_of_all_choices() {
+    fn the_best_of_all_choices_is_found() {
         let mut rng = fastrand::Rng::with_seed(1);
         for _ in 0..300 {
             let (ends, count) = (rng.u32(2..9), rng.usize(1..14));
@@ -207,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn groups_that_are_too_large_for_all_choices() {
+    fn groups_too_large_for_enumeration_are_matched_well() {
         // A ring of 40 ends; every second pair is slightly better.
         let mut matches: Vec<Match> =
             (0..39).map(|k| Match { ends: [k, k + 1], gain: 1.0 + f64::from(k % 2) * 0.01 }).collect();

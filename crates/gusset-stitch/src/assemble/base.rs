@@ -105,10 +105,10 @@ impl Base {
     /// Fills and turns, as the options request. Also returns the pairs of faces that patches
     /// intersect.
     pub(super) fn finish(self, options: &Options<'_>, job: &Job<'_>) -> Result<(Assembly, Vec<[u32; 2]>)> {
-        let mut done = self.assembly;
+        let mut assembly = self.assembly;
         let mut cuts = Vec::new();
-        if done.mesh.face_count() == 0 {
-            return Ok((done, cuts));
+        if assembly.mesh.face_count() == 0 {
+            return Ok((assembly, cuts));
         }
         if let Some(how) = &options.fill {
             // The report of an assembly does not list intersections of patches.
@@ -117,30 +117,31 @@ impl Base {
                 other => other,
             };
             let how = fill::Options { outward: Outward::Keep, plan_only: false, intersections, ..*how };
-            let filled = fill_holes(&done.mesh.view(&job.part(0.0, 0.1))?, Selection::All, &how, &job.part(0.1, 0.4))?;
-            (done.mesh, done.holes, done.hole_rims) = (filled.mesh, filled.holes, filled.rims);
+            let filled =
+                fill_holes(&assembly.mesh.view(&job.part(0.0, 0.1))?, Selection::All, &how, &job.part(0.1, 0.4))?;
+            (assembly.mesh, assembly.holes, assembly.hole_rims) = (filled.mesh, filled.holes, filled.rims);
             cuts = filled.intersections.unwrap_or_default();
-            done.history.add(filled.parents.into_iter().zip(filled.weights))?;
+            assembly.history.add(filled.parents.into_iter().zip(filled.weights))?;
         }
         if options.outward == Outward::Closed && !options.keep_orientation {
-            let outwards = turn_outwards(&mut done.mesh, &job.part(0.4, 0.6))?;
-            done.zero_volume = outwards.zero_volume;
-            if !done.zero_volume.is_empty() {
+            let outwards = turn_outwards(&mut assembly.mesh, &job.part(0.4, 0.6))?;
+            assembly.zero_volume = outwards.zero_volume;
+            if !assembly.zero_volume.is_empty() {
                 job.note("a closed component encloses no volume, as one piece given twice does");
             }
             for f in outwards.turned {
                 // The faces of strips and patches follow the faces of the pieces.
-                if let Some(turned) = done.turned.get_mut(f as usize) {
+                if let Some(turned) = assembly.turned.get_mut(f as usize) {
                     *turned ^= true;
                 }
             }
         }
-        let view = done.mesh.view(&job.part(0.6, 0.7))?;
+        let view = assembly.mesh.view(&job.part(0.6, 0.7))?;
         let boundary = boundary_loops(&view, &boundary::Options::default(), &job.part(0.7, 1.0))?;
-        done.loops_left = boundary.len() as u32;
+        assembly.loops_left = boundary.len() as u32;
         let is_edge = |defect: &&Defect| matches!(defect, Defect::NonManifoldEdge { .. });
-        done.non_manifold_edges = boundary.defects().iter().filter(is_edge).count() as u32;
-        Ok((done, cuts))
+        assembly.non_manifold_edges = boundary.defects().iter().filter(is_edge).count() as u32;
+        Ok((assembly, cuts))
     }
 }
 

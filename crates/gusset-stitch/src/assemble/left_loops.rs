@@ -20,7 +20,8 @@ pub(super) struct Explanation {
     /// The mean distance to the nearest vertices of that loop, in the rims' unit; infinite without
     /// another loop.
     pub(super) gap: f64,
-    /// The largest distance at which they would be joined, in the rims' unit; 0 without another loop.
+    /// The largest distance at which they would be joined, in the rims' unit; 0 without another
+    /// loop.
     pub(super) allowed: f64,
 }
 

@@ -12,7 +12,7 @@ use std::ops::Range;
 
 /// A patch that intersects other faces.
 #[derive(Debug, Clone, PartialEq)]
-struct Patch {
+struct CutPatch {
     faces: Range<u32>,
     /// The number of vertices on its rims.
     rim: usize,
@@ -22,7 +22,7 @@ struct Patch {
     part: usize,
 }
 
-impl Patch {
+impl CutPatch {
     /// Returns true if the rim surrounds most of the part that the patch closes, rather than a gap
     /// or a hole in it. A disc of F triangles has a rim of about 2.3 sqrt(F) edges, and a square
     /// 2.8 sqrt(F).
@@ -32,16 +32,16 @@ impl Patch {
 }
 
 /// The intersecting patches, in the order of their faces.
-struct Patches(Vec<Patch>);
+struct CutPatches(Vec<CutPatch>);
 
-impl Patches {
+impl CutPatches {
     /// Collects the intersecting patches. `beside` is the set of vertices beside trimmed faces.
     /// `size` returns the number of faces of a vertex's part. O(size + c log c) for c
     /// intersections.
-    fn new(done: &Assembly, cuts: &[[u32; 2]], beside: &BitSet, size: impl Fn(u32) -> u32) -> Result<Patches> {
+    fn new(done: &Assembly, cuts: &[[u32; 2]], beside: &BitSet, size: impl Fn(u32) -> u32) -> Result<CutPatches> {
         let mut cutting = alloc::copied(cuts.as_flattened())?;
         cutting.sort_unstable();
-        let mut patches: Vec<Patch> = Vec::new();
+        let mut patches: Vec<CutPatch> = Vec::new();
         let patched = done.holes.iter().filter(|hole| !hole.faces.is_empty());
         let mut holes = alloc::gather(patched)?;
         holes.sort_unstable_by_key(|hole| (hole.faces.start, hole.rim.start));
@@ -52,7 +52,7 @@ impl Patches {
             }
             // Several loops may share a patch.
             if patches.last().is_none_or(|patch| patch.faces != hole.faces) {
-                alloc::push(&mut patches, Patch { faces: hole.faces.clone(), rim: 0, beside: 0, part: 0 })?;
+                alloc::push(&mut patches, CutPatch { faces: hole.faces.clone(), rim: 0, beside: 0, part: 0 })?;
             }
             let last = patches.len() - 1;
             let rim = &done.hole_rims[hole.rim.clone()];
@@ -60,11 +60,11 @@ impl Patches {
             patches[last].part = patches[last].part.max(rim.first().map_or(0, |&v| size(v) as usize));
             patches[last].beside += rim.iter().filter(|&&v| beside.contains(v)).count();
         }
-        Ok(Patches(patches))
+        Ok(CutPatches(patches))
     }
 
     /// Returns the intersecting patch of a face, if any.
-    fn cutting(&self, face: u32) -> Option<&Patch> {
+    fn cutting(&self, face: u32) -> Option<&CutPatch> {
         let after = self.0.partition_point(|patch| patch.faces.start <= face);
         self.0[..after].last().filter(|patch| patch.faces.contains(&face))
     }
@@ -120,10 +120,10 @@ impl Removals {
         // Mark the corners of intersecting faces, and whole rims of patches if that did not
         // suffice. A patch over the border of an open surface lies on it: ignore it.
         let size = |v: u32| sizes[roots[v as usize] as usize];
-        let patches = Patches::new(done, cuts, &beside, size)?;
+        let patches = CutPatches::new(done, cuts, &beside, size)?;
         let mut is_spoilt = false;
         for pair in cuts {
-            if pair.iter().filter_map(|&f| patches.cutting(f)).any(Patch::lies_on_surface) {
+            if pair.iter().filter_map(|&f| patches.cutting(f)).any(CutPatch::lies_on_surface) {
                 continue;
             }
             is_spoilt = true;

@@ -29,5 +29,5 @@ mod fold_free_moves;
 mod plan;
 mod ring;
 
-pub(crate) use plan::{Limits, Plan, Way};
+pub(crate) use plan::{FairingWay, Plan, VertexLimits};
 pub(crate) use ring::{Beyond, MAX_FAN_TRIANGLES, OldRing};

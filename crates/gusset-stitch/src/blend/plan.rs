@@ -22,7 +22,7 @@ const SMOOTHING_PASSES: u32 = 10;
 
 /// How a blend is faired.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Way {
+pub(crate) struct FairingWay {
     /// The number of solutions of the plate, each after a refinement.
     pub(crate) rounds: u32,
     /// If true, vertices that would fold a triangle stay behind. The result is less smooth, so this
@@ -30,14 +30,14 @@ pub(crate) struct Way {
     pub(crate) unfolds: bool,
 }
 
-impl Way {
+impl FairingWay {
     /// No fairing.
-    pub(crate) const UNFAIRED: Way = Way { rounds: 0, unfolds: true };
+    pub(crate) const UNFAIRED: FairingWay = FairingWay { rounds: 0, unfolds: true };
 }
 
 /// Limits on the number of new vertices.
 #[derive(Clone, Copy)]
-pub(crate) struct Limits {
+pub(crate) struct VertexLimits {
     /// Estimated number of vertices for the sizes. If more are needed, all sides grow. If the
     /// estimate is too low for the shape, there are at most twice as many.
     pub(crate) new: u32,
@@ -79,7 +79,7 @@ impl<T: Fn(u32, u32) -> bool> Plan<T> {
     pub(crate) fn new(
         mut ring: OldRing,
         triangles: Vec<[u32; 3]>,
-        limits: Limits,
+        limits: VertexLimits,
         taken: T,
         job: &Job<'_>,
     ) -> Result<Option<Self>> {
@@ -126,7 +126,7 @@ impl<T: Fn(u32, u32) -> bool> Plan<T> {
 
     /// Creates the blend. For n new vertices O(n log n), plus O(n^1.5) for the plate; nearly linear
     /// on a narrow strip.
-    pub(crate) fn blend(&self, way: Way, job: &Job<'_>) -> Result<Blend> {
+    pub(crate) fn blend(&self, way: FairingWay, job: &Job<'_>) -> Result<Blend> {
         let (ring, taken, rim) = (&self.ring, &self.taken, self.ring.centred.len());
         let (mut mesh, mut sizing) = (self.mesh.try_clone()?, self.sizing.try_clone()?);
         for round in 0..way.rounds {

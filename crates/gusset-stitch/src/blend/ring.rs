@@ -2,7 +2,7 @@
 //! clamped to them.
 
 use super::fold_free_moves::unfold;
-use crate::fair::{Continuity, Plate, Shape, Weights, mean_curvature, thin_plate};
+use crate::fair::{Continuity, Plate, RestShape, Weights, mean_curvature, thin_plate};
 use crate::remesh::{PatchMesh, Sizing};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -30,7 +30,7 @@ pub(crate) struct OldRing {
     pub(crate) centred: Vec<bool>,
     /// The length of each rim, and whether it is a loop.
     pub(crate) rims: Vec<(usize, bool)>,
-    /// Blends wider than this follow the coarse triangles; see [`Shape`].
+    /// Blends wider than this follow the coarse triangles; see [`RestShape`].
     pub(crate) reach: f64,
     /// The rest shape of the plate after the first solution: `None` keeps the first one. Otherwise
     /// it is the solution's own curvature, including the rims, after this number of smoothing
@@ -186,7 +186,7 @@ impl OldRing {
             centres: &centres,
             weights: Weights::Cotangent,
             continuity: self.beyond.continuity,
-            shape: is_bent.then_some(Shape { curvature: &curvature, places: &places, reach: self.reach }),
+            shape: is_bent.then_some(RestShape { curvature: &curvature, places: &places, reach: self.reach }),
             layout: None,
         };
         thin_plate(&mut points, &plate, job)?;

@@ -163,7 +163,7 @@ pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> 
         let walking = job.part(0.5, 1.0);
         for (number, darts) in walks.iter().enumerate() {
             walking.step_every(REPORT_INTERVAL, number, walks.len(), STAGE)?;
-            let piece = Piece { darts, closed: true, walk: number as u32, walk_closed: true, is_split: false };
+            let piece = WalkPiece { darts, closed: true, walk: number as u32, walk_closed: true, is_split: false };
             boundary.add(mesh, &piece, None, &walking.share(number, walks.len()))?;
         }
         job.step(1.0, STAGE)?;
@@ -185,7 +185,7 @@ pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> 
         let number = boundary.walks;
         boundary.walks += 1;
         let add = |darts: &[Dart], closed: bool| {
-            let piece = Piece { darts, closed, walk: number, walk_closed, is_split: darts.len() < walk.len() };
+            let piece = WalkPiece { darts, closed, walk: number, walk_closed, is_split: darts.len() < walk.len() };
             boundary.add(mesh, &piece, Some(&walker), &walking)
         };
         split_simple(&walk, |dart| dart.tail(mesh), |dart| dart.head(mesh), &mut place, &walking, add)?;
@@ -198,7 +198,7 @@ pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> 
 }
 
 /// A simple loop or chain, and the properties of the walk that it was cut from.
-struct Piece<'a> {
+struct WalkPiece<'a> {
     darts: &'a [Dart],
     closed: bool,
     walk: u32,
@@ -207,7 +207,7 @@ struct Piece<'a> {
     is_split: bool,
 }
 
-impl Piece<'_> {
+impl WalkPiece<'_> {
     /// Returns the darts as edges of the loop: reversed if `turned`, and from the smallest
     /// half-edge if closed.
     fn edges(&self, turned: bool) -> impl Iterator<Item = Dart> {
@@ -230,7 +230,7 @@ impl Boundary {
     fn add(
         &mut self,
         mesh: &MeshView<'_>,
-        piece: &Piece<'_>,
+        piece: &WalkPiece<'_>,
         walker: Option<&Walker<'_, '_>>,
         job: &Job<'_>,
     ) -> Result<()> {

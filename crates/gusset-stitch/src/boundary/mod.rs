@@ -6,17 +6,17 @@
 //! terminate. Here:
 //!
 //! * **Direction.** A loop runs in the direction of its faces' half-edges. If faces are
-//!   counter-clockwise from outside, the surface lies on the **left** of the loop and the hole on the
-//!   right, seen from outside.
+//!   counter-clockwise from outside, the surface lies on the **left** of the loop and the hole on
+//!   the right, seen from outside.
 //! * **Fan by fan.** From the end of a free edge the walk rotates through the fan of faces around
 //!   the vertex to the next free edge. Every free edge has exactly one successor and one
 //!   predecessor. So the walk returns to its start, and visits each free edge once.
 //! * **Simple loops.** A walk is cut where it passes a vertex again (a bow-tie, or two holes that
 //!   touch). Every loop therefore passes each of its vertices once. Loops that were cut from one
 //!   walk have equal walk numbers.
-//! * **Edges with three or more faces** end a fan. Each of their faces has its own border there. The
-//!   loop runs along it ([`NonManifold::Cut`]) or ends as an open chain ([`NonManifold::Stop`]).
-//!   Both cases are flagged.
+//! * **Edges with three or more faces** end a fan. Each of their faces has its own border there.
+//!   The loop runs along it ([`NonManifold::Cut`]) or ends as an open chain
+//!   ([`NonManifold::Stop`]). Both cases are flagged.
 //! * **Inconsistent orientation** does not stop a walk. The loop takes the direction of most of its
 //!   faces, and flags the edges that it runs against their faces.
 //!

@@ -82,31 +82,31 @@ const HALF_EDGES_PER_REPORT: usize = 1 << 20;
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled). Defects are not errors.
 pub fn check(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Check> {
     let topology = Topology::new(mesh, &job.part(0.0, 0.3))?;
-    let mut found =
+    let mut report =
         Check { vertices: mesh.positions().len() as u32, faces: mesh.faces().len() as u32, ..Check::default() };
-    found.add_defects(&topology)?;
-    found.boundary_walks = boundary_loops(mesh, &boundary::Options::default(), &job.part(0.3, 0.7))?.walk_count();
-    found.bow_ties = bow_ties(mesh, &topology, &job.part(0.7, 0.8))?;
-    found.add_non_manifold_vertices(mesh, &job.part(0.8, 0.8))?;
-    found.duplicate_faces = duplicate_faces(mesh, &found.degenerate_faces, &job.part(0.8, 0.85))?;
-    found.add_edges(mesh, &topology, &job.part(0.85, 0.85))?;
-    found.add_pieces(mesh, &topology, &job.part(0.85, 0.9))?;
+    report.add_defects(&topology)?;
+    report.boundary_walks = boundary_loops(mesh, &boundary::Options::default(), &job.part(0.3, 0.7))?.walk_count();
+    report.bow_ties = bow_ties(mesh, &topology, &job.part(0.7, 0.8))?;
+    report.add_non_manifold_vertices(mesh, &job.part(0.8, 0.8))?;
+    report.duplicate_faces = duplicate_faces(mesh, &report.degenerate_faces, &job.part(0.8, 0.85))?;
+    report.add_edges(mesh, &topology, &job.part(0.85, 0.85))?;
+    report.add_pieces(mesh, &topology, &job.part(0.85, 0.9))?;
     job.step(0.9, "checking areas")?;
-    found.add_unused_vertices(mesh)?;
-    found.add_zero_areas(mesh, &job.part(0.9, 1.0))?;
+    report.add_unused_vertices(mesh)?;
+    report.add_zero_areas(mesh, &job.part(0.9, 1.0))?;
 
-    found.manifold = found.non_manifold_edges.is_empty() && found.non_manifold_vertices.is_empty();
-    found.oriented = found.orientation_conflicts.is_empty();
-    found.closed = found.edges > 0 && found.boundary_edges.is_empty() && found.non_manifold_edges.is_empty();
-    let used = i64::from(found.vertices) - found.unused_vertices.len() as i64;
-    found.euler = used - i64::from(found.edges) + i64::from(found.faces);
-    if found.manifold && found.orientable && found.degenerate_faces.is_empty() {
+    report.manifold = report.non_manifold_edges.is_empty() && report.non_manifold_vertices.is_empty();
+    report.oriented = report.orientation_conflicts.is_empty();
+    report.closed = report.edges > 0 && report.boundary_edges.is_empty() && report.non_manifold_edges.is_empty();
+    let used = i64::from(report.vertices) - report.unused_vertices.len() as i64;
+    report.euler = used - i64::from(report.edges) + i64::from(report.faces);
+    if report.manifold && report.orientable && report.degenerate_faces.is_empty() {
         // chi = 2 c - 2 g - b for c components, b boundary loops and g handles.
-        let double = 2 * i64::from(found.components) - i64::from(found.boundary_walks) - found.euler;
-        found.genus = u32::try_from(double / 2).ok();
+        let double = 2 * i64::from(report.components) - i64::from(report.boundary_walks) - report.euler;
+        report.genus = u32::try_from(double / 2).ok();
     }
     job.step(1.0, "checking areas")?;
-    Ok(found)
+    Ok(report)
 }
 
 impl Check {

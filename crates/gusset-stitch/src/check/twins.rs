@@ -25,9 +25,9 @@ pub(super) fn duplicate_faces(mesh: &MeshView<'_>, degenerate: &[u32], job: &Job
     };
     sort(&mut order, |f, g| compare(f, g).then(f.cmp(g)), &job.part(0.2, 0.9), "checking faces")?;
     let repeats = order.windows(2).filter(|pair| compare(&pair[0], &pair[1]).is_eq());
-    let mut found = alloc::gather(repeats.map(|pair| pair[1]))?;
-    found.sort_unstable();
-    Ok(found)
+    let mut duplicates = alloc::gather(repeats.map(|pair| pair[1]))?;
+    duplicates.sort_unstable();
+    Ok(duplicates)
 }
 
 /// The corner and the direction in which a face's cycle is lexicographically smallest.

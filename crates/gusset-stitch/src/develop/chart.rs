@@ -1,7 +1,7 @@
 //! One chart as triangles, each with its own shape.
 
 use super::STAGE;
-use super::charts::Split;
+use super::charts::SplitSurface;
 use super::cut_edges::CutSurface;
 use crate::fill::clip_ears;
 use glam::{DVec2, DVec3};
@@ -17,7 +17,7 @@ const MIN_HEIGHT: f64 = 1e-7;
 
 /// The shape of a triangle in its own frame.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Shape {
+pub(super) struct TriangleShape {
     /// The gradients of the three barycentric coordinates: J = sum of x_i g_i^T is the derivative
     /// of the linear map that takes the corners to x_0, x_1 and x_2.
     pub(super) gradients: [DVec2; 3],
@@ -32,7 +32,7 @@ pub(super) struct ChartMesh {
     pub(super) triangles: Vec<[u32; 3]>,
     /// For each triangle, the number of its face in the chart.
     pub(super) faces: Vec<u32>,
-    pub(super) shapes: Vec<Shape>,
+    pub(super) shapes: Vec<TriangleShape>,
     /// For each triangle, the triangles across its sides, or [`NONE`].
     pub(super) across: Vec<[u32; 3]>,
     /// The edges of the border, each in the direction of its face.
@@ -43,7 +43,7 @@ impl ChartMesh {
     /// Triangulates a chart. `unit` is the divisor of the positions. O(H log H).
     pub(super) fn new(
         surface: &CutSurface<'_, '_>,
-        split: &Split,
+        split: &SplitSurface,
         chart: usize,
         unit: f64,
         job: &Job<'_>,
@@ -149,7 +149,7 @@ fn triangulate(corners: &[u32], points: &[DVec3], triangles: &mut Vec<[u32; 3]>,
 
 /// Returns the shape of a triangle. Limits its base and height to at least `least`, and to at least
 /// [`MIN_HEIGHT`] of its longest side.
-fn shape([a, b, c]: [DVec3; 3], least: f64) -> Shape {
+fn shape([a, b, c]: [DVec3; 3], least: f64) -> TriangleShape {
     let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
     let least = least.max(MIN_HEIGHT * longest);
     let base = (b - a).length().max(least);
@@ -160,7 +160,7 @@ fn shape([a, b, c]: [DVec3; 3], least: f64) -> Shape {
     let area = base * height / 2.0;
     // The opposite side, rotated inwards by a right angle, over twice the area.
     let gradient = |k: usize| (corners[(k + 2) % 3] - corners[(k + 1) % 3]).perp() / (2.0 * area);
-    Shape { gradients: [0, 1, 2].map(gradient), area }
+    TriangleShape { gradients: [0, 1, 2].map(gradient), area }
 }
 
 /// A side of a triangle: the identity of its edge, a half-edge of the surface or a diagonal, and

@@ -14,7 +14,7 @@ use gusset_base::sparse::{Coupling, Symmetric, dissect};
 const REPORT_INTERVAL: usize = 1 << 16;
 
 /// A symmetric matrix of 2 x 2 blocks for vertices and edges, and a right-hand side.
-pub(super) struct System {
+pub(super) struct ChartSystem {
     /// The place of each vertex in the order of elimination.
     place: Vec<u32>,
     /// For each place, the earlier places whose vertices are neighbours of its vertex.
@@ -42,9 +42,9 @@ impl Coupling for Edges<'_> {
     }
 }
 
-impl System {
+impl ChartSystem {
     /// Builds the structure of the system. O(n log n) for n vertices; about 120 bytes per vertex.
-    pub(super) fn new(chart: &ChartMesh, job: &Job<'_>) -> Result<System> {
+    pub(super) fn new(chart: &ChartMesh, job: &Job<'_>) -> Result<ChartSystem> {
         let n = chart.points.len();
         // Each side occurs in both directions.
         let sides = (0..6 * chart.triangles.len()).map(|k| {
@@ -86,7 +86,7 @@ impl System {
         job.step(1.0, STAGE)?;
         let matrix = Symmetric { start, entries, diagonal: alloc::filled(0.0, 2 * n)? };
         let right = alloc::filled(DVec3::ZERO, 2 * n)?;
-        Ok(System { place, earlier, matrix, right, is_fixed: alloc::filled(false, n)? })
+        Ok(ChartSystem { place, earlier, matrix, right, is_fixed: alloc::filled(false, n)? })
     }
 
     pub(super) fn clear(&mut self, job: &Job<'_>) -> Result<()> {

@@ -6,7 +6,7 @@
 //! prescription and metric scaling*, 2008, place cones in this way).
 
 use super::chart::ChartMesh;
-use super::chart_system::System;
+use super::chart_system::ChartSystem;
 use super::{STAGE, TRIANGLES_PER_REPORT};
 use glam::{DMat2, DVec2};
 use gusset_base::alloc;
@@ -17,7 +17,7 @@ use std::f64::consts::TAU;
 
 /// Returns the vertex inside the chart at which a dart should end; `None` if the chart lacks inner
 /// vertices or curvature.
-pub(super) fn tip(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -> Result<Option<u32>> {
+pub(super) fn tip(chart: &ChartMesh, system: &mut ChartSystem, job: &Job<'_>) -> Result<Option<u32>> {
     let n = chart.points.len();
     let mut on_border = BitSet::new(n)?;
     chart.border.iter().for_each(|&[v, _]| on_border.insert(v));

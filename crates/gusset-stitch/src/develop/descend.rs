@@ -7,7 +7,7 @@
 //! that would cause them.
 
 use super::chart::ChartMesh;
-use super::chart_system::System;
+use super::chart_system::ChartSystem;
 use super::develop_request::Distortion;
 use super::energy::{Jacobian, energy, weights};
 use super::overlap::overlaps;
@@ -64,7 +64,7 @@ pub(super) enum Border<'a> {
 /// factorises a matrix, O(n^1.5) for n vertices.
 pub(super) fn descend(
     chart: &ChartMesh,
-    system: &mut System,
+    system: &mut ChartSystem,
     distortion: Distortion,
     mut x: Vec<DVec2>,
     mut border: Border<'_>,
@@ -86,19 +86,19 @@ pub(super) fn descend(
         let way = alloc::collect(target.iter().zip(&x).map(|(&to, &from)| to - from))?;
         let slope: f64 = gradient.iter().zip(&way).map(|(g, d)| g.dot(*d)).sum();
         let mut step = f64::min(1.0, MAX_FOLD_FRACTION * first_fold(chart, &x, &way, &late)?);
-        let mut found = None;
+        let mut better_step = None;
         for _ in 0..MAX_HALVINGS {
             let moved = alloc::collect(x.iter().zip(&way).map(|(&p, &d)| p + step * d))?;
             let reached = mean_energy(chart, distortion, &moved, &late)?;
             let falls = reached <= value + MIN_DESCENT * step * slope && reached < value;
             if falls && chart.folds(&moved) == 0 && (matches!(border, Border::Free(_)) || is_apart(&moved, &late)?) {
-                found = Some((moved, reached));
+                better_step = Some((moved, reached));
                 break;
             }
             step /= 2.0;
         }
-        let gain = found.as_ref().map_or(0.0, |(_, reached)| value - reached);
-        if let Some(better) = found {
+        let gain = better_step.as_ref().map_or(0.0, |(_, reached)| value - reached);
+        if let Some(better) = better_step {
             (x, value) = better;
         }
         if gain <= MIN_RELATIVE_GAIN * value {
@@ -123,7 +123,7 @@ pub(super) fn mean_energy(chart: &ChartMesh, distortion: Distortion, x: &[DVec2]
 /// Builds the system of the quadratic proxy at `x`, and returns the gradient of the mean energy.
 fn assemble(
     chart: &ChartMesh,
-    system: &mut System,
+    system: &mut ChartSystem,
     distortion: Distortion,
     x: &[DVec2],
     job: &Job<'_>,

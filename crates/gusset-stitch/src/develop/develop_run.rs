@@ -2,8 +2,8 @@
 
 use super::STAGE;
 use super::chart::ChartMesh;
-use super::chart_system::System;
-use super::charts::Split;
+use super::chart_system::ChartSystem;
+use super::charts::SplitSurface;
 use super::cut_edges::{CutSurface, Graph, PathSearch};
 use super::darts;
 use super::descend::{Border, Descent, End, descend, mean_energy};
@@ -72,10 +72,11 @@ impl Flat {
 /// vertices. Memory is linear, except O(n log n) for the factor.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] for a `max_stretch` that is not finite and above 1.
-/// [`Error::BadOffsets`] for the cuts. [`Error::LoopIndexOutOfRange`] for a vertex of a cut that
-/// does not exist. [`Error::CutNotConnected`], [`Error::RepeatedCorner`], [`Error::OutOfMemory`],
-/// [`Error::Cancelled`].
+/// * [`Error::OptionOutOfRange`] for a `max_stretch` that is not finite and above 1.
+/// * [`Error::BadOffsets`] for the cuts.
+/// * [`Error::LoopIndexOutOfRange`] for a vertex of a cut that does not exist.
+/// * [`Error::CutNotConnected`], [`Error::RepeatedCorner`], [`Error::OutOfMemory`],
+///   [`Error::Cancelled`].
 pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Result<Developed> {
     if let Some(stretch) = options.max_stretch {
         Error::require(stretch > 1.0 && stretch.is_finite(), "max_stretch", stretch)?;
@@ -89,9 +90,9 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
     drop(points);
     let mut surface = CutSurface::new(mesh, &job.part(0.0, 0.05))?;
     surface.cut_paths(&options.cuts, &job.part(0.05, 0.05))?;
-    let mut split = Split::new(&surface, &job.part(0.05, 0.06))?;
+    let mut split = SplitSurface::new(&surface, &job.part(0.05, 0.06))?;
     if open(&mut surface, &split, &job.part(0.06, 0.08))? {
-        split = Split::new(&surface, &job.part(0.08, 0.1))?;
+        split = SplitSurface::new(&surface, &job.part(0.08, 0.1))?;
     }
     let count = split.vertices.len();
     let mut flats: Vec<Option<Flat>> = alloc::with_capacity(count)?;
@@ -112,7 +113,7 @@ pub fn develop(mesh: &MeshView<'_>, options: &Options<'_>, job: &Job<'_>) -> Res
         let job = rest.part(0.0, 0.5);
         rest = rest.part(0.5, 1.0);
         let cut = dart(&mut surface, &split, chart, tip, &job.part(0.0, 0.1))?;
-        let parts = Split::new(&surface, &job.part(0.1, 0.1))?;
+        let parts = SplitSurface::new(&surface, &job.part(0.1, 0.1))?;
         let flat = flatten(&surface, &parts, chart, unit, options, true, &job.part(0.1, 1.0))?;
         let old = flats[chart].as_mut().filter(|old| !flat.is_better_than(old));
         if let Some(old) = old {
@@ -139,7 +140,13 @@ fn worst(flats: &[Option<Flat>], options: &Options<'_>) -> Option<(usize, u32)> 
 }
 
 /// Cuts from a vertex inside a chart along the shortest path to its border, and returns the path.
-fn dart(surface: &mut CutSurface<'_, '_>, split: &Split, chart: usize, tip: u32, job: &Job<'_>) -> Result<Vec<u32>> {
+fn dart(
+    surface: &mut CutSurface<'_, '_>,
+    split: &SplitSurface,
+    chart: usize,
+    tip: u32,
+    job: &Job<'_>,
+) -> Result<Vec<u32>> {
     let faces = *surface.mesh.faces();
     let mut on_border = BitSet::new(split.vertex_map.len())?;
     for &f in split.faces.get(chart) {
@@ -164,7 +171,7 @@ fn dart(surface: &mut CutSurface<'_, '_>, split: &Split, chart: usize, tip: u32,
 
 fn flatten(
     surface: &CutSurface<'_, '_>,
-    split: &Split,
+    split: &SplitSurface,
     number: usize,
     unit: f64,
     options: &Options<'_>,
@@ -178,7 +185,7 @@ fn flatten(
     if lengths.are_kept(&turned, &job.part(0.05, 0.05))? {
         return exact(turned);
     }
-    let mut system = System::new(&chart, &job.part(0.05, 0.1))?;
+    let mut system = ChartSystem::new(&chart, &job.part(0.05, 0.1))?;
     if let Some(x) = lengths.restore(&mut system, turned, &job.part(0.1, 0.12))? {
         return exact(x);
     }
@@ -197,20 +204,20 @@ fn flatten(
     let limit = if options.max_iterations == 0 { MAX_ITERATIONS } else { options.max_iterations };
     // The rigid energy does not prevent folds, so start from a map without folds.
     let end = if options.distortion == Distortion::Rigid { 0.6 } else { 0.95 };
-    let mut done = minimise_distortion(&chart, &mut system, Distortion::Symmetric, x, limit, &job.part(0.2, end))?;
-    if options.distortion == Distortion::Rigid && done.end != End::Folded {
-        let before = done.iterations;
-        done = minimise_distortion(&chart, &mut system, Distortion::Rigid, done.x, limit, &job.part(end, 0.95))?;
-        done.iterations += before;
+    let mut descent = minimise_distortion(&chart, &mut system, Distortion::Symmetric, x, limit, &job.part(0.2, end))?;
+    if options.distortion == Distortion::Rigid && descent.end != End::Folded {
+        let before = descent.iterations;
+        descent = minimise_distortion(&chart, &mut system, Distortion::Rigid, descent.x, limit, &job.part(end, 0.95))?;
+        descent.iterations += before;
     }
-    let finish = match done.end {
+    let finish = match descent.end {
         End::Folded => Finish::Folded,
         _ if is_conformal => Finish::NotConformal,
         End::Converged => Finish::Converged,
         End::Stalled => Finish::Stalled,
         End::IterationLimit => Finish::IterationLimit,
     };
-    measure(&chart, done.x, finish, done.iterations, tip, &job.part(0.95, 1.0))
+    measure(&chart, descent.x, finish, descent.iterations, tip, &job.part(0.95, 1.0))
 }
 
 /// Returns true if the border of a map does not intersect itself.
@@ -222,7 +229,7 @@ fn is_apart(chart: &ChartMesh, x: &[DVec2], job: &Job<'_>) -> Result<bool> {
 /// fails, starts again from Tutte's map.
 fn minimise_distortion(
     chart: &ChartMesh,
-    system: &mut System,
+    system: &mut ChartSystem,
     distortion: Distortion,
     x: Vec<DVec2>,
     limit: u32,
@@ -307,7 +314,7 @@ fn lay_along_x(border: &[[u32; 2]], x: &mut [DVec2]) {
 fn build_result(
     mesh: &MeshView<'_>,
     surface: CutSurface<'_, '_>,
-    split: Split,
+    split: SplitSurface,
     flats: &[Flat],
     unit: f64,
     darts: u32,

@@ -6,7 +6,7 @@
 //! triangulated disc is rigid in the plane.
 
 use super::chart::ChartMesh;
-use super::chart_system::System;
+use super::chart_system::ChartSystem;
 use super::{STAGE, TRIANGLES_PER_REPORT};
 use glam::{DMat2, DVec2, DVec3};
 use gusset_base::alloc;
@@ -91,7 +91,12 @@ impl<'a> Lengths<'a> {
 
     /// Returns the positions near `x` at which every edge keeps its length; `None` if they are not
     /// found. O(T) for T triangles, and up to three factorisations if `x` is near but not exact.
-    pub(super) fn restore(&self, system: &mut System, mut x: Vec<DVec2>, job: &Job<'_>) -> Result<Option<Vec<DVec2>>> {
+    pub(super) fn restore(
+        &self,
+        system: &mut ChartSystem,
+        mut x: Vec<DVec2>,
+        job: &Job<'_>,
+    ) -> Result<Option<Vec<DVec2>>> {
         for step in 0..MAX_STEPS {
             let job = job.share(step, MAX_STEPS);
             let error = self.error(&x, &job)?;
@@ -126,7 +131,8 @@ pub(super) fn unfold(chart: &ChartMesh, job: &Job<'_>) -> Result<Vec<DVec2>> {
         for k in 0..3 {
             let [a, b, c] = [k, (k + 1) % 3, (k + 2) % 3].map(|k| chart.triangles[t][k]);
             if x[c as usize].is_nan() && !x[a as usize].is_nan() && !x[b as usize].is_nan() {
-                x[c as usize] = third([x[a as usize], x[b as usize]], [a, b, c].map(|v| chart.points[v as usize]));
+                x[c as usize] =
+                    third_corner([x[a as usize], x[b as usize]], [a, b, c].map(|v| chart.points[v as usize]));
             }
         }
         for &next in chart.across[t].iter().filter(|&&next| next != NONE) {
@@ -139,7 +145,7 @@ pub(super) fn unfold(chart: &ChartMesh, job: &Job<'_>) -> Result<Vec<DVec2>> {
 }
 
 /// Returns the third corner to the left of a side in the plane.
-fn third([p, q]: [DVec2; 2], [a, b, c]: [DVec3; 3]) -> DVec2 {
+fn third_corner([p, q]: [DVec2; 2], [a, b, c]: [DVec3; 3]) -> DVec2 {
     let side = b - a;
     let square = side.length_squared().max(f64::MIN_POSITIVE);
     let along = (c - a).dot(side) / square;
@@ -148,7 +154,7 @@ fn third([p, q]: [DVec2; 2], [a, b, c]: [DVec3; 3]) -> DVec2 {
 }
 
 /// Returns the positions after one Gauss-Newton step on the squared differences of lengths.
-fn gauss_newton_step(chart: &ChartMesh, system: &mut System, x: &[DVec2], job: &Job<'_>) -> Result<Vec<DVec2>> {
+fn gauss_newton_step(chart: &ChartMesh, system: &mut ChartSystem, x: &[DVec2], job: &Job<'_>) -> Result<Vec<DVec2>> {
     let still = alloc::filled(DVec2::ZERO, x.len())?;
     system.clear(&job.part(0.0, 0.0))?;
     for (k, triangle) in chart.triangles.iter().enumerate() {

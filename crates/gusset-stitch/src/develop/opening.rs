@@ -8,7 +8,7 @@
 //! loops leaves a disc.
 
 use super::STAGE;
-use super::charts::Split;
+use super::charts::SplitSurface;
 use super::cut_edges::{CutSurface, Graph, PathSearch};
 use super::develop_request::CutKind;
 use gusset_base::alloc;
@@ -21,7 +21,7 @@ use gusset_mesh::NONE;
 
 /// Cuts each chart that is not a disc until it is one. Returns true if there were any. O(H log V)
 /// for each loop and handle.
-pub(super) fn open(surface: &mut CutSurface<'_, '_>, split: &Split, job: &Job<'_>) -> Result<bool> {
+pub(super) fn open(surface: &mut CutSurface<'_, '_>, split: &SplitSurface, job: &Job<'_>) -> Result<bool> {
     let charts = split.euler.len();
     if (0..charts).all(|chart| split.is_disc(chart)) {
         return Ok(false);
@@ -38,7 +38,7 @@ pub(super) fn open(surface: &mut CutSurface<'_, '_>, split: &Split, job: &Job<'_
 }
 
 struct Opening<'a> {
-    split: &'a Split,
+    split: &'a SplitSurface,
     graph: &'a Graph,
     search: &'a mut PathSearch,
     chart: usize,

@@ -1,7 +1,7 @@
 //! Initial maps: least squares conformal maps, and Tutte's map, which never folds.
 
 use super::chart::ChartMesh;
-use super::chart_system::System;
+use super::chart_system::ChartSystem;
 use super::{STAGE, TRIANGLES_PER_REPORT};
 use glam::{DMat2, DVec2};
 use gusset_base::alloc;
@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 /// Returns the least squares conformal map, scaled to the area of the chart. It minimises half the
 /// squared norm of J minus its determinant, summed over the triangles. Two distant vertices of the
 /// border are fixed.
-pub(super) fn conformal(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -> Result<Vec<DVec2>> {
+pub(super) fn conformal(chart: &ChartMesh, system: &mut ChartSystem, job: &Job<'_>) -> Result<Vec<DVec2>> {
     let mut x = alloc::filled(DVec2::ZERO, chart.points.len())?;
     let farthest = |from: u32| {
         let distance = |v: u32| chart.length(v, from);
@@ -45,7 +45,7 @@ pub(super) fn conformal(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -
 
 /// Returns Tutte's map: the border lies on a circle, and every other vertex is the mean of its
 /// neighbours.
-pub(super) fn tutte(chart: &ChartMesh, system: &mut System, job: &Job<'_>) -> Result<Vec<DVec2>> {
+pub(super) fn tutte(chart: &ChartMesh, system: &mut ChartSystem, job: &Job<'_>) -> Result<Vec<DVec2>> {
     let mut x = alloc::filled(DVec2::ZERO, chart.points.len())?;
     let mut next = alloc::filled(NONE, chart.points.len())?;
     chart.border.iter().for_each(|&[u, v]| next[u as usize] = v);

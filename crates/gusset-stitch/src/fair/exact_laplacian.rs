@@ -10,7 +10,7 @@
 //! application in applied mechanics* (1980), for differences that are exact for polynomials.
 //! Neighbours are placed in the tangent plane, in their directions and at their distances.
 
-use super::rings::{Rings, Rows};
+use super::rings::{MatrixRows, Rings};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -50,7 +50,7 @@ impl ExactLaplacian {
             middle.push(-rows[first..].iter().map(|&(_, weight)| weight).sum::<f64>());
         }
         let mut columns = alloc::copied(&rows)?;
-        let all = Rows::new(rings, &rows, &middle);
+        let all = MatrixRows::new(rings, &rows, &middle);
         let mut next = 0;
         for v in 0..points.len() {
             for &(w, _) in rings.ring(v) {
@@ -61,12 +61,12 @@ impl ExactLaplacian {
         Ok(ExactLaplacian { rows, columns, middle })
     }
 
-    pub(super) fn rows<'a>(&'a self, rings: &'a Rings) -> Rows<'a> {
-        Rows::new(rings, &self.rows, &self.middle)
+    pub(super) fn rows<'a>(&'a self, rings: &'a Rings) -> MatrixRows<'a> {
+        MatrixRows::new(rings, &self.rows, &self.middle)
     }
 
-    pub(super) fn columns<'a>(&'a self, rings: &'a Rings) -> Rows<'a> {
-        Rows::new(rings, &self.columns, &self.middle)
+    pub(super) fn columns<'a>(&'a self, rings: &'a Rings) -> MatrixRows<'a> {
+        MatrixRows::new(rings, &self.columns, &self.middle)
     }
 }
 

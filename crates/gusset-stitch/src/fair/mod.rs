@@ -34,5 +34,5 @@ mod tests;
 
 pub use continuity::Continuity;
 pub(crate) use curvature::mean_curvature;
-pub(crate) use plate::{Plate, Shape, thin_plate};
+pub(crate) use plate::{Plate, RestShape, thin_plate};
 pub(crate) use rings::Weights;

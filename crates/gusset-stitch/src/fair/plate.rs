@@ -2,7 +2,7 @@
 //!
 //! L is the Laplacian of the patch, C the set of centres, and h the Laplacian of the rest shape.
 //! The energy is the area-weighted sum over C of |L p - h|^2, plus the energy of the springs of the
-//! [`Shape`]. Its minimum over the free vertices solves a sparse symmetric system, which is
+//! [`RestShape`]. Its minimum over the free vertices solves a sparse symmetric system, which is
 //! factorised once for all three coordinates. For curvature continuity, let b = L p - h. The energy
 //! is b^T S b with the stiffness matrix S: the weighted sum of the squared differences of b over
 //! the edges between centres.
@@ -10,7 +10,7 @@
 use super::continuity::Continuity;
 use super::couplings::Couplings;
 use super::exact_laplacian::ExactLaplacian;
-use super::rings::{Rings, Rows, Weights};
+use super::rings::{MatrixRows, Rings, Weights};
 
 use glam::DVec3;
 use gusset_base::alloc;
@@ -39,7 +39,7 @@ pub(crate) struct Plate<'a> {
     pub(crate) continuity: Continuity,
     /// The rest shape of the plate; `None` for a flat one. Only with [`Weights::Cotangent`] and
     /// [`Continuity::C1`].
-    pub(crate) shape: Option<Shape<'a>>,
+    pub(crate) shape: Option<RestShape<'a>>,
     /// Positions by which the vertices are ordered: evenly spread, with neighbours near each other;
     /// `None` for the points themselves. They affect time and memory, and the result only by
     /// round-off.
@@ -48,7 +48,7 @@ pub(crate) struct Plate<'a> {
 
 /// The rest shape of a plate.
 #[derive(Clone, Copy)]
-pub(crate) struct Shape<'a> {
+pub(crate) struct RestShape<'a> {
     /// The Laplacian h at each vertex, in the reciprocal of the points' unit.
     pub(crate) curvature: &'a [DVec3],
     /// The rest positions x0.
@@ -100,20 +100,20 @@ pub(crate) fn thin_plate(points: &mut [DVec3], plate: &Plate<'_>, job: &Job<'_>)
 
 /// Returns the free vertices that a chain of free vertices connects with a fixed one.
 fn anchored_vertices(rings: &Rings, free: &[bool]) -> Result<Vec<u32>> {
-    let mut found = alloc::filled(false, free.len())?;
+    let mut is_anchored = alloc::filled(false, free.len())?;
     let mut list = alloc::with_capacity(free.len())?;
     let neighbours = |v: u32| rings.ring(v as usize).iter().map(|&(w, _)| w as usize);
     for v in (0..free.len()).filter(|&v| free[v]) {
         if neighbours(v as u32).any(|w| !free[w]) {
-            found[v] = true;
+            is_anchored[v] = true;
             list.push(v as u32);
         }
     }
     let mut next = 0;
     while next < list.len() {
         for w in neighbours(list[next]) {
-            if free[w] && !found[w] {
-                found[w] = true;
+            if free[w] && !is_anchored[w] {
+                is_anchored[w] = true;
                 list.push(w as u32);
             }
         }
@@ -179,7 +179,7 @@ fn assemble_equations(
             }
         }
         // A spring with the strength area / reach^4.
-        let spring = |own: Shape<'_>| {
+        let spring = |own: RestShape<'_>| {
             let squared = (own.reach / unit) * (own.reach / unit);
             let strength = 1.0 / (squared * squared * rings.scale(v as usize));
             (strength, points[v as usize] - (own.places[v as usize] / unit - origin))
@@ -206,7 +206,7 @@ fn assemble_equations(
 fn bend_derivatives(
     points: &[DVec3],
     rings: &Rings,
-    rows: Rows<'_>,
+    rows: MatrixRows<'_>,
     plate: &Plate<'_>,
     unit: f64,
 ) -> Result<Vec<DVec3>> {

@@ -129,8 +129,8 @@ impl Rings {
     }
 
     /// Returns the rows of L before scaling, which are its columns too.
-    pub(super) fn rows(&self) -> Rows<'_> {
-        Rows { start: &self.start, entries: &self.entries, middle: &self.middle }
+    pub(super) fn rows(&self) -> MatrixRows<'_> {
+        MatrixRows { start: &self.start, entries: &self.entries, middle: &self.middle }
     }
 
     /// Returns the factor of the square of row `v` in the energy.
@@ -141,16 +141,16 @@ impl Rings {
 
 /// The rows of a matrix that couples neighbours.
 #[derive(Clone, Copy)]
-pub(super) struct Rows<'a> {
+pub(super) struct MatrixRows<'a> {
     start: &'a [u32],
     entries: &'a [(u32, f64)],
     middle: &'a [f64],
 }
 
-impl<'a> Rows<'a> {
+impl<'a> MatrixRows<'a> {
     /// Creates rows with the neighbours of `rings` and other entries.
     pub(super) fn new(rings: &'a Rings, entries: &'a [(u32, f64)], middle: &'a [f64]) -> Self {
-        Rows { start: &rings.start, entries, middle }
+        MatrixRows { start: &rings.start, entries, middle }
     }
 
     /// Returns the entry of a row in the column of a neighbour.

@@ -2,7 +2,7 @@
 
 use super::exact_laplacian::ExactLaplacian;
 use super::rings::Rings;
-use super::{Continuity, Plate, Shape, Weights, mean_curvature, thin_plate};
+use super::{Continuity, Plate, RestShape, Weights, mean_curvature, thin_plate};
 use glam::{DQuat, DVec3};
 use gusset_base::Job;
 use std::collections::BTreeSet;
@@ -46,7 +46,7 @@ impl Patch {
         let (triangles, free) = (&self.triangles, &self.free);
         let places = self.points.clone();
         // The reach is far beyond the patch, so that the springs do not matter.
-        let shape = curvature.map(|curvature| Shape { curvature, places: &places, reach: 1e9 });
+        let shape = curvature.map(|curvature| RestShape { curvature, places: &places, reach: 1e9 });
         let plate = Plate { triangles, free, centres, weights, continuity: Continuity::C1, shape, layout: None };
         thin_plate(&mut self.points, &plate, &Job::default()).unwrap();
     }

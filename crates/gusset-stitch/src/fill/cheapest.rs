@@ -11,7 +11,7 @@ use super::fill_request::Weight;
 use super::loops::{cost, may_gain};
 use super::near::faces_near;
 use super::patch::triangulate;
-use super::patch_rim::Rim;
+use super::patch_rim::PatchRim;
 use super::search::MIN_GAIN;
 use super::surroundings::Surroundings;
 use crate::fair::Continuity;
@@ -48,7 +48,7 @@ struct Group {
 }
 
 /// Two groups that cost less together than apart.
-struct Pair {
+struct GroupPair {
     /// The relative gain: (cost apart - cost together) / cost apart.
     gain: f64,
     groups: [usize; 2],
@@ -59,7 +59,7 @@ struct Pair {
 type Distance = [f64; 2];
 
 /// Two loops or groups, and their distance.
-type Near = ([usize; 2], Distance);
+type NearPair = ([usize; 2], Distance);
 
 struct GroupSearch<'a> {
     surroundings: Surroundings<'a>,
@@ -149,7 +149,7 @@ impl GroupSearch<'_> {
         near.dedup();
         let mut pairs = Vec::new();
         self.try_pairs(&near, &mut pairs, &job.part(0.2, 0.6))?;
-        while let Some(Pair { groups, triangles, .. }) = take_best(&mut pairs) {
+        while let Some(GroupPair { groups, triangles, .. }) = take_best(&mut pairs) {
             let [Some(one), Some(other)] = groups.map(|group| self.groups[group].take()) else {
                 break;
             };
@@ -168,25 +168,25 @@ impl GroupSearch<'_> {
     }
 
     /// Returns the pairs of a group with its partner groups, nearest first.
-    fn pairs_to_try(&self, group: usize) -> Result<Vec<Near>> {
+    fn pairs_to_try(&self, group: usize) -> Result<Vec<NearPair>> {
         let own = self.loops_of(group);
-        let mut found = Vec::new();
+        let mut neighbours = Vec::new();
         for &(k, distance) in own.iter().flat_map(|&k| &self.partners[k]) {
             let other = self.owner[k];
             if other != group && own.len() + self.loops_of(other).len() <= MAX_LOOPS {
-                alloc::push(&mut found, (other, distance))?;
+                alloc::push(&mut neighbours, (other, distance))?;
             }
         }
-        sort::stable(&mut found, &|(i, a), (k, b)| i.cmp(k).then(by_distance(a, b)));
-        found.dedup_by_key(|&mut (other, _)| other);
-        found.sort_unstable_by(nearest_first);
-        found.truncate(MAX_NEIGHBOURS);
+        sort::stable(&mut neighbours, &|(i, a), (k, b)| i.cmp(k).then(by_distance(a, b)));
+        neighbours.dedup_by_key(|&mut (other, _)| other);
+        neighbours.sort_unstable_by(nearest_first);
+        neighbours.truncate(MAX_NEIGHBOURS);
         let pair = |&(other, distance): &(usize, Distance)| ([group.min(other), group.max(other)], distance);
-        alloc::collect(found.iter().map(pair))
+        alloc::collect(neighbours.iter().map(pair))
     }
 
     /// Adds the pairs that gain.
-    fn try_pairs(&mut self, near: &[Near], pairs: &mut Vec<Pair>, job: &Job<'_>) -> Result<()> {
+    fn try_pairs(&mut self, near: &[NearPair], pairs: &mut Vec<GroupPair>, job: &Job<'_>) -> Result<()> {
         for (at, &(groups, _)) in near.iter().enumerate() {
             let Some(left) = self.trials else {
                 break;
@@ -205,7 +205,7 @@ impl GroupSearch<'_> {
 
     /// Triangulates two groups together; `None` if that gains nothing. If one of the groups lacks a
     /// triangulation of its own, the gain is 1.
-    fn try_together(&mut self, groups: [usize; 2], job: &Job<'_>) -> Result<Option<Pair>> {
+    fn try_together(&mut self, groups: [usize; 2], job: &Job<'_>) -> Result<Option<GroupPair>> {
         let mut loops = Vec::new();
         for group in groups {
             alloc::append(&mut loops, self.loops_of(group))?;
@@ -223,11 +223,11 @@ impl GroupSearch<'_> {
         } else {
             1.0
         };
-        Ok((gain > MIN_GAIN).then_some(Pair { gain, groups, triangles }))
+        Ok((gain > MIN_GAIN).then_some(GroupPair { gain, groups, triangles }))
     }
 
     /// Triangulates loops together; `None` if two of them share a vertex.
-    fn triangulate(&mut self, loops: &[usize], job: &Job<'_>) -> Result<Option<(Rim, Triangles)>> {
+    fn triangulate(&mut self, loops: &[usize], job: &Job<'_>) -> Result<Option<(PatchRim, Triangles)>> {
         let Some((rim, names)) = self.surroundings.rim(loops.iter().map(|&k| self.loops[k]), job)? else {
             return Ok(None);
         };
@@ -238,9 +238,10 @@ impl GroupSearch<'_> {
 }
 
 /// Removes the pair that gains most. Among equal pairs the earlier groups win.
-fn take_best(pairs: &mut Vec<Pair>) -> Option<Pair> {
-    let order =
-        |(_, a): &(usize, &Pair), (_, b): &(usize, &Pair)| a.gain.total_cmp(&b.gain).then(b.groups.cmp(&a.groups));
+fn take_best(pairs: &mut Vec<GroupPair>) -> Option<GroupPair> {
+    let order = |(_, a): &(usize, &GroupPair), (_, b): &(usize, &GroupPair)| {
+        a.gain.total_cmp(&b.gain).then(b.groups.cmp(&a.groups))
+    };
     let best = pairs.iter().enumerate().max_by(order)?.0;
     Some(pairs.swap_remove(best))
 }
@@ -258,22 +259,22 @@ fn nearest_first<T: Ord>((i, a): &(T, Distance), (k, b): &(T, Distance)) -> Orde
 ///
 /// Each box proposes its nearest boxes. At most [`MAX_LOOPS`] boxes may propose one box: otherwise
 /// the border of a sheet would be near all holes in it.
-fn nearby_pairs(boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<Near>> {
+fn nearby_pairs(boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<NearPair>> {
     let rooms = alloc::collect(boxes.iter().map(|around| around.inflated(BOX_MARGIN * around.diagonal())))?;
     let order = spatial_order(&rooms, 1, &job.part(0.0, 0.2), "triangulating holes")?;
     let tree = BoxTree::new(order.iter().map(|&k| rooms[k as usize]))?;
     let mut pairs = Vec::new();
     for (i, room) in rooms.iter().enumerate() {
         job.part(0.2, 1.0).step_every(REPORT_INTERVAL, i, rooms.len(), "triangulating holes")?;
-        let mut found = Vec::new();
+        let mut neighbours = Vec::new();
         tree.overlapping(room, 0.0, |leaf| {
             let others = order.get(leaf).map(|&k| k as usize).filter(|&k| k != i);
             let distance = |k: usize| [boxes[i].distance(&boxes[k]), boxes[i].centre().distance(boxes[k].centre())];
-            alloc::extend(&mut found, others.map(|k| (k, distance(k))))
+            alloc::extend(&mut neighbours, others.map(|k| (k, distance(k))))
         })?;
-        found.sort_unstable_by(nearest_first);
-        found.truncate(MAX_NEIGHBOURS);
-        alloc::extend(&mut pairs, found.iter().map(|&(k, distance)| ([i, k], distance)))?;
+        neighbours.sort_unstable_by(nearest_first);
+        neighbours.truncate(MAX_NEIGHBOURS);
+        alloc::extend(&mut pairs, neighbours.iter().map(|&(k, distance)| ([i, k], distance)))?;
     }
     pairs.sort_unstable_by(nearest_first);
     let mut counts = alloc::filled(0, boxes.len())?;

@@ -96,7 +96,7 @@ impl NearChords {
         Ok(NearChords { start, first, after })
     }
 
-    fn before(&self, k: usize) -> &[u32] {
+    fn starts_to(&self, k: usize) -> &[u32] {
         &self.first[self.start[k] as usize..self.start[k + 1] as usize]
     }
 }
@@ -121,7 +121,7 @@ impl Chords for NearChords {
     }
 
     fn each_apex(&self, i: usize, k: usize, mut visit: impl FnMut(usize, [usize; 2])) {
-        let (after, before, start) = (self.after.get(i), self.before(k), self.start[k] as usize);
+        let (after, before, start) = (self.after.get(i), self.starts_to(k), self.start[k] as usize);
         // Walk the shorter list, and search the longer one.
         if after.len() <= before.len() {
             for &(m, left) in after.iter().take_while(|&&(m, _)| (m as usize) < k) {

@@ -67,7 +67,7 @@ struct Ring {
     next: Vec<u32>,
     /// True for vertices that are not convex. Only these can lie inside an ear.
     reflex: Vec<bool>,
-    grid: Grid,
+    grid: ReflexGrid,
 }
 
 impl Ring {
@@ -77,7 +77,7 @@ impl Ring {
         let previous = alloc::collect((0..n).map(|i| ((i + n - 1) % n) as u32))?;
         let next = alloc::collect((0..n).map(|i| ((i + 1) % n) as u32))?;
         let reflex = alloc::collect((0..n).map(|i| turn(flat[(i + n - 1) % n], flat[i], flat[(i + 1) % n]) <= 0.0))?;
-        let grid = Grid::new(&flat, &reflex)?;
+        let grid = ReflexGrid::new(&flat, &reflex)?;
         Ok(Ring { flat, previous, next, reflex, grid })
     }
 
@@ -145,22 +145,22 @@ fn flattened(points: &[DVec3]) -> Result<Vec<DVec2>> {
 }
 
 /// The initial reflex vertices of the loop in square cells, row by row.
-struct Grid {
+struct ReflexGrid {
     low: DVec2,
     cell: f64,
     columns: usize,
     vertices: Buckets<u32>,
 }
 
-impl Grid {
-    fn new(flat: &[DVec2], reflex: &[bool]) -> Result<Grid> {
+impl ReflexGrid {
+    fn new(flat: &[DVec2], reflex: &[bool]) -> Result<ReflexGrid> {
         let low = flat.iter().fold(DVec2::INFINITY, |low, &p| low.min(p));
         let size = flat.iter().fold(DVec2::ZERO, |size, &p| size.max(p - low));
         let cells = (flat.len() as f64).sqrt().ceil().min(MAX_GRID_CELLS);
         let cell = (size.max_element() / cells).max(f64::MIN_POSITIVE);
         let columns = (size.x / cell) as usize + 1;
         let rows = (size.y / cell) as usize + 1;
-        let mut grid = Grid { low, cell, columns, vertices: Buckets::default() };
+        let mut grid = ReflexGrid { low, cell, columns, vertices: Buckets::default() };
         let inside = (0..flat.len()).filter(|&v| reflex[v]).map(|v| {
             let (column, row) = grid.cell_of(flat[v]);
             (row * columns + column, v as u32)

@@ -5,7 +5,7 @@ use super::fill_request::{Options, Refinement};
 use super::near::faces_near;
 use super::patch::{Planner, attempts, neighbourhood};
 use super::patch_cuts::{OldTriangles, Trials, cutting_patches, find_cuts};
-use super::patch_rim::Rim;
+use super::patch_rim::PatchRim;
 use super::placed::{Placed, Pool};
 use super::result::Made;
 use super::surroundings::Surroundings;
@@ -98,7 +98,7 @@ impl<'a> Filling<'a> {
 
     /// Returns the rim of a group's patch, and the rim's mesh vertices; `None` if two of the loops
     /// share a vertex.
-    fn rim(&mut self, group: &[usize], job: &Job<'_>) -> Result<Option<(Rim, Vec<u32>)>> {
+    fn rim(&mut self, group: &[usize], job: &Job<'_>) -> Result<Option<(PatchRim, Vec<u32>)>> {
         self.surroundings.rim(group.iter().map(|&number| self.candidates[number].vertices.as_slice()), job)
     }
 

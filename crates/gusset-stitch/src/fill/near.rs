@@ -22,7 +22,7 @@ pub(super) fn faces_near(mesh: &MeshView<'_>, boxes: &[Aabb], job: &Job<'_>) -> 
     let job = job.part(0.1, 1.0);
     let tree = BoxTree::new(order.iter().map(|&i| boxes[i as usize]))?;
     let chunk = |range: Range<usize>| -> Result<Vec<u32>> {
-        let mut found = Vec::new();
+        let mut faces_found = Vec::new();
         for f in range {
             let around = Aabb::from_points(mesh.face(f).map(|v| mesh.positions().get(v)));
             let met = Cell::new(false);
@@ -32,13 +32,13 @@ pub(super) fn faces_near(mesh: &MeshView<'_>, boxes: &[Aabb], job: &Job<'_>) -> 
                 Ok(())
             })?;
             if met.get() {
-                alloc::push(&mut found, f as u32)?;
+                alloc::push(&mut faces_found, f as u32)?;
             }
         }
-        Ok(found)
+        Ok(faces_found)
     };
     let mut near = Vec::new();
-    let found = par::map_cancellable(&job, STAGE, par::ranges(mesh.faces().len(), CHUNK), chunk)?;
-    alloc::append_all(&mut near, found)?;
+    let faces_found = par::map_cancellable(&job, STAGE, par::ranges(mesh.faces().len(), CHUNK), chunk)?;
+    alloc::append_all(&mut near, faces_found)?;
     Ok(near)
 }

@@ -5,9 +5,9 @@ use super::clip::{clip_ears, is_planar, mean_normal};
 use super::creases::{Division, divide};
 use super::fill_request::{Fairing, Finish, Options, Refinement, Weight};
 use super::loops::triangulate_together;
-use super::patch_rim::Rim;
+use super::patch_rim::PatchRim;
 use super::search::{MAX_EXACT, minimum_weight};
-use crate::blend::{self, Limits, Way};
+use crate::blend::{self, FairingWay, VertexLimits};
 use crate::remesh::PatchMesh;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -22,11 +22,11 @@ const MAX_NEW_VERTICES: u32 = 50_000;
 /// caller sets none.
 const MAX_NEW_AT_RIM: u32 = 4;
 /// The fairing attempts for blends, in order, until nothing intersects.
-const WAYS: [Way; 4] = [
-    Way { rounds: 4, unfolds: false },
-    Way { rounds: 4, unfolds: true },
-    Way { rounds: 1, unfolds: true },
-    Way::UNFAIRED,
+const WAYS: [FairingWay; 4] = [
+    FairingWay { rounds: 4, unfolds: false },
+    FairingWay { rounds: 4, unfolds: true },
+    FairingWay { rounds: 1, unfolds: true },
+    FairingWay::UNFAIRED,
 ];
 /// Faired vertices stay in the rim's box, enlarged on all sides by this fraction of its diagonal.
 pub(super) const MAX_BULGE: f64 = 0.5;
@@ -36,7 +36,7 @@ pub(super) const MAX_BULGE: f64 = 0.5;
 pub(super) struct Attempt {
     pub(super) weight: Weight,
     /// How the blend is faired; `None` for a patch without new vertices.
-    way: Option<Way>,
+    way: Option<FairingWay>,
     /// True if creases of the old surface are continued. Without creases the attempt fails.
     creased: bool,
 }
@@ -51,7 +51,7 @@ impl Attempt {
     pub(super) fn finish(self) -> Finish {
         match self.way {
             None => Finish::Plain,
-            Some(Way::UNFAIRED) => Finish::Refined,
+            Some(FairingWay::UNFAIRED) => Finish::Refined,
             Some(_) => Finish::Faired,
         }
     }
@@ -61,9 +61,9 @@ impl Attempt {
 pub(super) fn attempts(options: &Options) -> Vec<Attempt> {
     let mut weights = vec![options.weight];
     weights.extend(Weight::CHOICES.values.iter().copied().filter(|&weight| weight != options.weight));
-    let blends: &[Way] = match (options.refinement, options.fairing) {
+    let blends: &[FairingWay] = match (options.refinement, options.fairing) {
         (Refinement::None, _) => &[],
-        (Refinement::RimDensity(_), Fairing::None) => &[Way::UNFAIRED],
+        (Refinement::RimDensity(_), Fairing::None) => &[FairingWay::UNFAIRED],
         (Refinement::RimDensity(_), Fairing::ThinPlate) => &WAYS,
     };
     let mut ways = Vec::new();
@@ -77,7 +77,8 @@ pub(super) fn attempts(options: &Options) -> Vec<Attempt> {
     ways
 }
 
-/// A patch. The rim's vertices keep their numbers in the [`Rim`], and `points` come after them.
+/// A patch. The rim's vertices keep their numbers in the [`PatchRim`], and `points` come after
+/// them.
 pub(super) struct Patch {
     /// The new vertices, in the rim's unit and from its origin.
     pub(super) points: Vec<DVec3>,
@@ -92,7 +93,7 @@ pub(super) struct Patch {
 
 /// Builds patches for one rim.
 pub(super) struct Planner<'a, T: Fn(u32, u32) -> bool> {
-    rim: &'a Rim,
+    rim: &'a PatchRim,
     options: &'a Options,
     /// Returns true if two rim vertices must not get an edge.
     taken: &'a T,
@@ -102,7 +103,7 @@ pub(super) struct Planner<'a, T: Fn(u32, u32) -> bool> {
 }
 
 impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
-    pub(super) fn new(rim: &'a Rim, options: &'a Options, taken: &'a T) -> Self {
+    pub(super) fn new(rim: &'a PatchRim, options: &'a Options, taken: &'a T) -> Self {
         Planner { rim, options, taken, coarse: None, plan: None }
     }
 
@@ -153,7 +154,7 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
         if !is_near(rim, &made.points) {
             return Ok(None);
         }
-        if way != Way::UNFAIRED {
+        if way != FairingWay::UNFAIRED {
             return Ok(Some(Patch { points: made.points, unfaired: made.unfaired, coarse, triangles: made.triangles }));
         }
         // Flips and moves cut the corners of a bent triangulation. Project the vertices back onto
@@ -186,7 +187,7 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
             let first = rim.count + patch.points.len();
             if let Some((way, limits)) = attempt.way.zip(limits) {
                 let new = (u64::from(limits.new / 2) * part.names.len() as u64 / all as u64).max(1) as u32;
-                let limits = Limits { new, ..limits };
+                let limits = VertexLimits { new, ..limits };
                 let plan = blend::Plan::new(
                     part.rim.old_ring(self.options.continuity)?,
                     triangles,
@@ -198,7 +199,7 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
                     return Ok(None);
                 };
                 let made = plan.blend(way, &job.part(0.6, 1.0))?;
-                let unfaired = if way == Way::UNFAIRED { &made.points } else { &made.unfaired };
+                let unfaired = if way == FairingWay::UNFAIRED { &made.points } else { &made.unfaired };
                 alloc::append(&mut patch.points, &made.points)?;
                 alloc::append(&mut patch.unfaired, unfaired)?;
                 triangles = made.triangles;
@@ -214,9 +215,9 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
 }
 
 /// Returns the limits on new vertices for the caller's `limit`, or for 0.
-fn vertex_limits(limit: u32) -> Limits {
+fn vertex_limits(limit: u32) -> VertexLimits {
     let [new, at_rim] = if limit == 0 { [MAX_NEW_VERTICES, MAX_NEW_AT_RIM] } else { [limit, 0] };
-    Limits { new, at_rim, growth: f64::INFINITY }
+    VertexLimits { new, at_rim, growth: f64::INFINITY }
 }
 
 /// Returns the nearest point on the triangles for each point.
@@ -226,7 +227,7 @@ fn on_triangles(rim: &[DVec3], triangles: &[[u32; 3]], points: &[DVec3], job: &J
     alloc::collect(places.iter().map(|&(of, weights)| of.into_iter().zip(weights).map(|(v, w)| w * at(v)).sum()))
 }
 
-fn is_near(rim: &Rim, points: &[DVec3]) -> bool {
+fn is_near(rim: &PatchRim, points: &[DVec3]) -> bool {
     let room = neighbourhood(&rim.points[..rim.count]);
     points.iter().all(|&p| room.axis_distances(p) == DVec3::ZERO)
 }
@@ -239,7 +240,7 @@ pub(super) fn neighbourhood(rim: &[DVec3]) -> Aabb {
 
 /// Returns the triangulation of least weight; `None` if none is found without a taken edge.
 pub(super) fn triangulate(
-    rim: &Rim,
+    rim: &PatchRim,
     weight: Weight,
     taken: &dyn Fn(u32, u32) -> bool,
     job: &Job<'_>,

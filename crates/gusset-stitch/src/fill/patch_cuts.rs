@@ -78,9 +78,9 @@ pub(super) fn cutting_patches(pairs: &[[u32; 2]], patches: &[Placed]) -> Result<
         ends.push(ends.last().unwrap_or(&0) + patch.triangles.len());
     }
     let of = |&t: &u32| ends.partition_point(|&end| end <= t as usize);
-    let mut found = alloc::gather(pairs.as_flattened().iter().map(of).filter(|&k| k < patches.len()))?;
-    sort_distinct(&mut found);
-    Ok(found)
+    let mut cutting = alloc::gather(pairs.as_flattened().iter().map(of).filter(|&k| k < patches.len()))?;
+    sort_distinct(&mut cutting);
+    Ok(cutting)
 }
 
 /// Counts the intersections of single patches.

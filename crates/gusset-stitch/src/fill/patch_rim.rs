@@ -11,7 +11,7 @@ use gusset_base::geom::scale::common_unit;
 /// The rim of a patch. The vertices of its loops come first, loop by loop, in the direction in
 /// which new faces run along the loop (with the surface on the right). The other old vertices
 /// follow.
-pub(super) struct Rim {
+pub(super) struct PatchRim {
     /// The number of rim vertices.
     pub(super) count: usize,
     /// The number of vertices of each loop.
@@ -36,14 +36,14 @@ pub(super) struct Rim {
     pub(super) whole: Vec<bool>,
 }
 
-/// The old faces around a rim; see [`Rim`].
+/// The old faces around a rim; see [`PatchRim`].
 pub(super) struct OldFaces {
     pub(super) around: Vec<[u32; 3]>,
     pub(super) beyond: Vec<[u32; 3]>,
     pub(super) sides: Vec<(u32, u32)>,
 }
 
-impl Rim {
+impl PatchRim {
     /// Creates a rim from points in mesh coordinates. `whole` and `across` describe the rim's
     /// vertices.
     pub(super) fn new(
@@ -52,11 +52,11 @@ impl Rim {
         faces: OldFaces,
         across: Vec<DVec3>,
         whole: Vec<bool>,
-    ) -> Result<Rim> {
+    ) -> Result<PatchRim> {
         let unit = common_unit(points);
         let origin = points[0] / unit;
         let points = alloc::collect(points.iter().map(|&p| p / unit - origin))?;
-        Rim::from_scaled((origin, unit), points, lengths, faces, (across, whole))
+        PatchRim::from_scaled((origin, unit), points, lengths, faces, (across, whole))
     }
 
     /// Creates the rim of a part with one loop, from points in the unit and from the origin of this
@@ -67,9 +67,9 @@ impl Rim {
         faces: OldFaces,
         across: Vec<DVec3>,
         whole: Vec<bool>,
-    ) -> Result<Rim> {
+    ) -> Result<PatchRim> {
         let lengths = vec![whole.len()];
-        Rim::from_scaled((self.origin, self.unit), points, lengths, faces, (across, whole))
+        PatchRim::from_scaled((self.origin, self.unit), points, lengths, faces, (across, whole))
     }
 
     fn from_scaled(
@@ -78,7 +78,7 @@ impl Rim {
         lengths: Vec<usize>,
         OldFaces { around, beyond, sides }: OldFaces,
         (across, whole): (Vec<DVec3>, Vec<bool>),
-    ) -> Result<Rim> {
+    ) -> Result<PatchRim> {
         let count = whole.len();
         let mut normals = alloc::filled(DVec3::ZERO, count)?;
         for &triangle in &around {
@@ -89,7 +89,7 @@ impl Rim {
             }
         }
         normals.iter_mut().for_each(|normal| *normal = normal.normalize_or_zero());
-        Ok(Rim { count, lengths, origin, unit, points, around, beyond, sides, across, normals, whole })
+        Ok(PatchRim { count, lengths, origin, unit, points, around, beyond, sides, across, normals, whole })
     }
 
     /// Converts a point back to mesh coordinates.

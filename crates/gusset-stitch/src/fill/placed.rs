@@ -1,7 +1,7 @@
 //! Patches in the mesh: the positions and parents of their vertices.
 
 use super::patch::{Attempt, Patch};
-use super::patch_rim::Rim;
+use super::patch_rim::PatchRim;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -60,7 +60,7 @@ impl<'a> Pool<'a> {
     /// Adds a patch. `names` maps the rim's vertices to the mesh.
     pub(super) fn place(
         &mut self,
-        rim: &Rim,
+        rim: &PatchRim,
         names: &[u32],
         patch: &Patch,
         attempt: Attempt,

@@ -78,7 +78,7 @@ pub(super) fn bands(n: usize) -> impl Iterator<Item = u32> {
 /// Repeats the search around a result.
 fn search_again(
     scale: &Scale<'_>,
-    mut found: Found,
+    mut found: Triangulation,
     band: u32,
     taken: &dyn Fn(usize, usize) -> bool,
     job: &Job<'_>,
@@ -103,7 +103,7 @@ fn search_again(
 }
 
 /// A triangulation and its cost.
-pub(super) struct Found {
+pub(super) struct Triangulation {
     pub(super) cost: Cost,
     /// Triples (i, m, k), i < m < k.
     pub(super) triangles: Vec<[u32; 3]>,
@@ -129,7 +129,7 @@ pub(super) fn best_triangulation(
     taken: &dyn Fn(usize, usize) -> bool,
     limit: Option<&Cost>,
     job: &Job<'_>,
-) -> Result<Option<Found>> {
+) -> Result<Option<Triangulation>> {
     let polygon = scale.polygon();
     let n = polygon.points.len();
     let none = Cell { cost: Cost::ZERO, apex: NO_APEX, normal: DVec3::ZERO, bulge: 0.0 };
@@ -156,7 +156,7 @@ pub(super) fn best_triangulation(
             open.extend([(m as usize, k), (i, m as usize)]);
         }
     }
-    Ok(Some(Found { cost: root.cost, triangles }))
+    Ok(Some(Triangulation { cost: root.cost, triangles }))
 }
 
 /// Returns the best triangle on the chord (i, k).

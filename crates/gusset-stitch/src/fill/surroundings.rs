@@ -1,6 +1,6 @@
 //! The old faces that touch the rims: shared faces of vertices, normals along the rims, and sides.
 
-use super::patch_rim::{OldFaces, Rim};
+use super::patch_rim::{OldFaces, PatchRim};
 use crate::fair::Continuity;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -76,7 +76,7 @@ impl<'a> Surroundings<'a> {
         &mut self,
         loops: impl Iterator<Item = &'b [u32]>,
         job: &Job<'_>,
-    ) -> Result<Option<(Rim, Vec<u32>)>> {
+    ) -> Result<Option<(PatchRim, Vec<u32>)>> {
         let job = job.part(0.0, 0.0);
         let mesh = self.mesh;
         let (mut names, mut next, mut lengths) = (Vec::new(), Vec::new(), Vec::new());
@@ -134,7 +134,7 @@ impl<'a> Surroundings<'a> {
         let points = alloc::collect_cancellable(names.iter().map(|&v| mesh.positions().get(v)), &job, STAGE)?;
         let whole = alloc::collect(rim.iter().map(|&v| self.passes[v as usize] == 1))?;
         names.iter().for_each(|&v| self.names[v as usize] = NONE);
-        Ok(Some((Rim::new(&points, lengths, OldFaces { around, beyond, sides }, across, whole)?, rim)))
+        Ok(Some((PatchRim::new(&points, lengths, OldFaces { around, beyond, sides }, across, whole)?, rim)))
     }
 }
 
@@ -155,15 +155,15 @@ fn faces_beyond(mesh: &MeshView<'_>, passes: &[u8], corners: &[(u32, u32)], job:
     for &(_, f) in corners {
         mesh.face(f as usize).for_each(|v| is_next[v as usize] = true);
     }
-    let mut found = Vec::new();
+    let mut corners_beyond = Vec::new();
     for f in 0..mesh.faces().len() {
         job.step_every(REPORT_INTERVAL, f, mesh.faces().len(), STAGE)?;
         if mesh.face(f).all(|v| passes[v as usize] == 0) {
-            alloc::extend(&mut found, mesh.face(f).filter(|&v| is_next[v as usize]).map(|v| (v, f as u32)))?;
+            alloc::extend(&mut corners_beyond, mesh.face(f).filter(|&v| is_next[v as usize]).map(|v| (v, f as u32)))?;
         }
     }
-    sort_distinct(&mut found);
-    Ok(found)
+    sort_distinct(&mut corners_beyond);
+    Ok(corners_beyond)
 }
 
 impl Surroundings<'_> {

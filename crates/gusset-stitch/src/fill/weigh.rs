@@ -180,11 +180,11 @@ impl<'a> Scale<'a> {
         let points = &polygon.points;
         let size = points.iter().map(|p| p.distance_squared(points[0])).fold(0.0, f64::max);
         let triangles = points.len().saturating_sub(2).max(1) as f64;
-        Scale::opened(polygon, weight, Measure { size, per_unit: polygon.per_unit, triangles }, &[])
+        Scale::for_opened(polygon, weight, Measure { size, per_unit: polygon.per_unit, triangles }, &[])
     }
 
     /// Creates the scale of loops that are cut open along bridges into one polygon.
-    pub(super) fn opened(polygon: &'a Polygon, weight: Weight, measure: Measure, bridges: &'a [bool]) -> Self {
+    pub(super) fn for_opened(polygon: &'a Polygon, weight: Weight, measure: Measure, bridges: &'a [bool]) -> Self {
         let rounding = if weight == Weight::Continuation { ANGLE_ROUNDING } else { AREA_ROUNDING * measure.size };
         Scale { polygon, bridges, weight, rounding, measure }
     }

@@ -169,9 +169,9 @@ mod tests {
     use proptest::prelude::*;
 
     /// Computes an independent answer in integers. The common points are the solutions (s, t, u, v)
-    /// of p(s, t) = q(u, v), where 0 <= s, t, s + t <= 1, and likewise for u, v. They form a
-    /// polytope. Its corners are the points at which four independent rows are 0. Returns each
-    /// corner as homogeneous coordinates (x, y, z, w), w > 0.
+    /// of p(s, t) = q(u, v) with 0 <= s, t, s + t <= 1 and likewise u, v. They form a polytope. Its
+    /// corners are the points at which four independent rows are 0. Returns each corner as
+    /// homogeneous coordinates (x, y, z, w), w > 0.
     fn common_corners(p: [[i64; 3]; 3], q: [[i64; 3]; 3]) -> Vec<[i128; 4]> {
         let edge = |t: [[i64; 3]; 3], corner: usize, k: usize| i128::from(t[corner][k] - t[0][k]);
         // Rows: coefficients of s, t, u, v and a constant. The first three must be 0, and the other
@@ -238,7 +238,7 @@ mod tests {
         /// Uses a small lattice, on which touching, coplanar, coincident and degenerate triangles
         /// are common.
         #[test]
-        fn equals_the_search_for_a_corner(
+        fn intersections_equal_the_search_for_a_corner(
             p in prop::array::uniform3((-2i64..3, -2i64..3, -1i64..2)),
             q in prop::array::uniform3((-2i64..3, -2i64..3, -1i64..2)),
             same in prop::array::uniform2(0usize..6),

@@ -94,7 +94,7 @@ pub(crate) fn intersecting_pairs_where(
     let fans = Fans::new(&order, LEAF_TRIANGLES, soup.new, &soup.at, &report)?;
     let n = soup.new.len();
     let pairs_of = |range: std::ops::Range<usize>, job: &Job<'_>| -> Result<Vec<[u32; 2]>> {
-        let (mut found, mut leaves) = (Vec::new(), 0usize);
+        let (mut pairs_of_chunk, mut leaves) = (Vec::new(), 0usize);
         for k in range {
             let (triangle, query) =
                 if k < n { (soup.new[k], boxes[k]) } else { (soup.old[k - n], around(&soup.old[k - n])) };
@@ -117,20 +117,20 @@ pub(crate) fn intersecting_pairs_where(
                         && triangles_intersect(soup.new[i as usize], triangle, &soup.at)
                         && list(i, k as u32)
                 };
-                of_leaf.iter().filter(met).try_for_each(|&i| alloc::push(&mut found, [i, k as u32]))
+                of_leaf.iter().filter(met).try_for_each(|&i| alloc::push(&mut pairs_of_chunk, [i, k as u32]))
             })?;
         }
-        Ok(found)
+        Ok(pairs_of_chunk)
     };
     let mut pairs = Vec::new();
     let total = n + soup.old.len();
     for start in (0..total).step_by(REPORT_INTERVAL) {
         let count = REPORT_INTERVAL.min(total - start);
         let part = job.part(start as f64 / total as f64, (start + count) as f64 / total as f64);
-        let found = par::map_jobs(&part, STAGE, par::ranges(count, CHUNK), |range, job| {
+        let pairs_of_chunk = par::map_jobs(&part, STAGE, par::ranges(count, CHUNK), |range, job| {
             pairs_of(start + range.start..start + range.end, job)
         })?;
-        alloc::append_all(&mut pairs, found.into_iter().map(Ok))?;
+        alloc::append_all(&mut pairs, pairs_of_chunk.into_iter().map(Ok))?;
     }
     pairs.sort_unstable();
     job.step(1.0, STAGE)?;

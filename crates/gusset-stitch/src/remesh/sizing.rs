@@ -12,7 +12,7 @@ pub(crate) struct Sizing {
     pub(crate) size: Vec<f64>,
     /// The position of each vertex without fairing.
     pub(crate) unfaired: Vec<DVec3>,
-    /// The rest curvature at each vertex; see [`Shape`](crate::fair::Shape).
+    /// The rest curvature at each vertex; see [`RestShape`](crate::fair::RestShape).
     pub(crate) curvature: Vec<DVec3>,
     /// The largest number of vertices.
     pub(crate) limit: usize,

@@ -57,7 +57,7 @@ impl Clusters {
         let job = job.part(0.4, 1.0);
         job.step(0.0, STAGE)?;
         let mut guard = Guard::new(mesh, corners)?;
-        let mut found = Clusters {
+        let mut clusters = Clusters {
             representative: alloc::collect((0..mesh.positions().len()).map(|v| v as u32))?,
             kept_apart: Vec::new(),
         };
@@ -84,13 +84,13 @@ impl Clusters {
                 }
                 if guard.admits(representative, v) {
                     claimed[j] = true;
-                    found.representative[v as usize] = representative;
+                    clusters.representative[v as usize] = representative;
                 } else {
-                    alloc::append(&mut found.kept_apart, &[representative, v])?;
+                    alloc::append(&mut clusters.kept_apart, &[representative, v])?;
                 }
             }
         }
-        Ok(found)
+        Ok(clusters)
     }
 }
 

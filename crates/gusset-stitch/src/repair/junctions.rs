@@ -144,7 +144,7 @@ impl Border<'_> {
         let around = |group: &[u32]| group.iter().fold(Aabb::EMPTY, |whole, &e| whole.union(boxes[e as usize]));
         let groups = alloc::collect_cancellable(order.chunks(GROUP).map(around), &job.part(0.2, 0.2), STAGE)?;
         let tree = BoxTree::new_cancellable(groups.into_iter(), &job.part(0.2, 0.2), STAGE)?;
-        let mut found: Vec<Split> = Vec::new();
+        let mut splits: Vec<Split> = Vec::new();
         let mut leaves = 0;
         for (i, (&v, &p)) in self.members.iter().zip(&points).enumerate() {
             let here = job.part(0.2, 0.6).share(i, points.len());
@@ -167,7 +167,7 @@ impl Border<'_> {
                     if let Some(at) = place_on_edge(ends(e), point, reach)
                         && self.is_apart(v, e)
                     {
-                        alloc::push(&mut found, Split { edge: e, at, vertex: self.cluster(v) })?;
+                        alloc::push(&mut splits, Split { edge: e, at, vertex: self.cluster(v) })?;
                     }
                 }
                 Ok(())
@@ -175,12 +175,12 @@ impl Border<'_> {
         }
         let by_place = |a: &Split, b: &Split| a.at.total_cmp(&b.at);
         let by_vertex = |a: &Split, b: &Split| a.edge.cmp(&b.edge).then(a.vertex.cmp(&b.vertex));
-        sort(&mut found, |a, b| by_vertex(a, b).then(by_place(a, b)), &job.part(0.6, 0.8), STAGE)?;
+        sort(&mut splits, |a, b| by_vertex(a, b).then(by_place(a, b)), &job.part(0.6, 0.8), STAGE)?;
         job.step(0.8, STAGE)?;
-        found.dedup_by_key(|split| (split.edge, split.vertex));
+        splits.dedup_by_key(|split| (split.edge, split.vertex));
         let along = |a: &Split, b: &Split| a.edge.cmp(&b.edge).then(by_place(a, b)).then(a.vertex.cmp(&b.vertex));
-        sort(&mut found, along, &job.part(0.8, 1.0), STAGE)?;
-        Ok(found)
+        sort(&mut splits, along, &job.part(0.8, 1.0), STAGE)?;
+        Ok(splits)
     }
 
     /// Returns true if the edge's face does not have a corner near `v`.

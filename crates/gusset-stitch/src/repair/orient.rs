@@ -96,22 +96,22 @@ pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<O
         }
         components += 1;
         search.component(f, &mut turned, &job.part(0.5, 0.9))?;
-        let found = &search.found;
+        let component = &search.found;
         if search.half_edge != NONE {
-            found.iter().for_each(|&g| turned[g as usize] = false);
+            component.iter().for_each(|&g| turned[g as usize] = false);
             alloc::push(&mut one_sided, OneSided { face: f, half_edge: search.half_edge })?;
             continue;
         }
-        let against = found.iter().filter(|&&g| turned[g as usize]).count();
-        let mut invert = 2 * against > found.len();
+        let against = component.iter().filter(|&&g| turned[g as usize]).count();
+        let mut invert = 2 * against > component.len();
         if options.outward == Outward::Closed && search.closed {
             // Invert the component if it faces inwards after the search.
-            let inward = faces_inward(mesh, found, &turned, &job.part(0.9, 0.9))?.unwrap_or(invert);
+            let inward = faces_inward(mesh, component, &turned, &job.part(0.9, 0.9))?.unwrap_or(invert);
             inverted_components += u32::from(inward != invert);
             invert = inward;
         }
         if invert {
-            found.iter().for_each(|&g| turned[g as usize] ^= true);
+            component.iter().for_each(|&g| turned[g as usize] ^= true);
         }
     }
     job.step(0.9, STAGE)?;
@@ -171,11 +171,11 @@ fn inward_components(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Outwards> {
             continue;
         }
         search.component(f, &mut against, &job.part(0.6, 1.0))?;
-        let found = &search.found;
-        let consistent = search.half_edge == NONE && !found.iter().any(|&g| against[g as usize]);
+        let component = &search.found;
+        let consistent = search.half_edge == NONE && !component.iter().any(|&g| against[g as usize]);
         if search.closed && consistent {
-            match faces_inward(mesh, found, &against, &job.part(1.0, 1.0))? {
-                Some(true) => alloc::append(&mut outwards.turned, found)?,
+            match faces_inward(mesh, component, &against, &job.part(1.0, 1.0))? {
+                Some(true) => alloc::append(&mut outwards.turned, component)?,
                 Some(false) => {}
                 None => alloc::push(&mut outwards.zero_volume, f)?,
             }
@@ -251,9 +251,9 @@ impl<'m> ComponentSearch<'m> {
 ///
 /// By the divergence theorem, 6 V = sum of p ((q - p) x (r - p)) over triangles p, q, r.
 /// Coordinates are relative to a vertex of the set, in a power-of-two unit of its size.
-fn faces_inward(mesh: &MeshView<'_>, found: &[u32], turned: &[bool], job: &Job<'_>) -> Result<Option<bool>> {
+fn faces_inward(mesh: &MeshView<'_>, faces: &[u32], turned: &[bool], job: &Job<'_>) -> Result<Option<bool>> {
     let point = |v: u32| mesh.positions().get(v);
-    let corners = || found.iter().flat_map(|&f| mesh.face(f as usize));
+    let corners = || faces.iter().flat_map(|&f| mesh.face(f as usize));
     // Halve the coordinates, so that differences of the largest numbers do not overflow.
     let Some(first) = corners().next() else { return Ok(None) };
     let origin = point(first) * 0.5;
@@ -261,7 +261,7 @@ fn faces_inward(mesh: &MeshView<'_>, found: &[u32], turned: &[bool], job: &Job<'
     let unit = common_unit(&[corners().map(relative).fold(DVec3::ZERO, |most, p| most.max(p.abs()))]);
     let at = |v: u32| relative(v) / unit;
     let (mut sum, mut size) = (0.0, 0.0);
-    for (k, &f) in found.iter().enumerate() {
+    for (k, &f) in faces.iter().enumerate() {
         // Small components do not report progress.
         if k % REPORT_INTERVAL == REPORT_INTERVAL - 1 {
             job.step(0.0, STAGE)?;
@@ -277,6 +277,6 @@ fn faces_inward(mesh: &MeshView<'_>, found: &[u32], turned: &[bool], job: &Job<'
             before = side;
         }
     }
-    let rounding = f64::EPSILON * (16.0 + found.len() as f64) * size;
+    let rounding = f64::EPSILON * (16.0 + faces.len() as f64) * size;
     Ok((f64::abs(sum) > rounding).then_some(sum < 0.0))
 }

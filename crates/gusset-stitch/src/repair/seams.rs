@@ -194,11 +194,11 @@ impl Sewing<'_> {
         if !self.collapse {
             return true;
         }
-        let mut found = [NONE; 3];
+        let mut names = [NONE; 3];
         for name in self.face(h).map(|label| seam.name(label)) {
-            match found.iter().position(|&known| known == name || known == NONE) {
+            match names.iter().position(|&known| known == name || known == NONE) {
                 Some(2) => return true,
-                Some(place) => found[place] = name,
+                Some(place) => names[place] = name,
                 None => {}
             }
         }

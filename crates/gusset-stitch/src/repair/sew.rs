@@ -69,12 +69,12 @@ pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew>
         Some(tolerance) => Source::Given(tolerance),
         None => Source::Earlier(first.tolerance),
     };
-    let mut done = Sew::from_weld(first)?;
-    if done.mesh.face_count() == 0 {
-        return Ok(done);
+    let mut sewn = Sew::from_weld(first)?;
+    if sewn.mesh.face_count() == 0 {
+        return Ok(sewn);
     }
     let (split, left) = {
-        let view = done.mesh.view(&job.part(0.4, 0.45))?;
+        let view = sewn.mesh.view(&job.part(0.4, 0.45))?;
         let topology = Topology::new(&view, &job.part(0.45, 0.5))?;
         let junctions = Junctions::find(&view, &topology, source, &job.part(0.5, 0.7))?;
         (split_edges(&view, &junctions, &job.part(0.7, 0.75))?, junctions.left)
@@ -89,12 +89,12 @@ pub fn sew(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Sew>
             Some(weld_within(&view, &options, source, &job.part(0.8, 1.0))?)
         }
     };
-    done.list_left(&left, second.as_ref())?;
+    sewn.list_left(&left, second.as_ref())?;
     if let Some(second) = second {
-        done.follow(split, second)?;
+        sewn.follow(split, second)?;
     }
     job.step(1.0, STAGE)?;
-    Ok(done)
+    Ok(sewn)
 }
 
 impl Sew {
@@ -104,7 +104,7 @@ impl Sew {
         let mut sources = alloc::filled(0u8, weld.mesh.positions.len())?;
         count_sources(&weld.vertex_map, |_| 1, &mut sources);
         Ok(Sew {
-            seam_vertices: several(&sources)?,
+            seam_vertices: multiple_sources(&sources)?,
             face_origin: alloc::gather(kept.map(|(_, old)| old))?,
             old_corners: weld.old_corners,
             corner_origins: weld.corners_left.map(|corners| CornerOrigins { corners, on_edges: Vec::new() }),
@@ -161,7 +161,7 @@ impl Sew {
         let mut sources = alloc::filled(0u8, weld.mesh.positions.len())?;
         let before = |v: usize| 1 + u8::from(self.seam_vertices.binary_search(&(v as u32)).is_ok());
         count_sources(&weld.vertex_map, before, &mut sources);
-        self.seam_vertices = several(&sources)?;
+        self.seam_vertices = multiple_sources(&sources)?;
         self.face_origin = origin;
         self.dropped_faces = self.face_map.iter().filter(|&&new| new == NONE).count() as u32;
         for new in self.vertex_map.iter_mut().filter(|new| **new != NONE) {
@@ -205,6 +205,6 @@ fn count_sources(vertex_map: &[u32], weight: impl Fn(usize) -> u8, sources: &mut
 }
 
 /// Returns the vertices with several sources.
-fn several(sources: &[u8]) -> Result<Vec<u32>> {
+fn multiple_sources(sources: &[u8]) -> Result<Vec<u32>> {
     alloc::gather(sources.iter().zip(0..).filter(|&(&count, _)| count > 1).map(|(_, v)| v))
 }

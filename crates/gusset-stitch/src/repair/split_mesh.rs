@@ -42,7 +42,7 @@ pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &Junctions, job: &Job<
     let (corners, count) = (mesh.faces().half_edge_count() + 6 * splits.len(), faces + 2 * splits.len());
     let mut face_offsets = alloc::with_capacity(count + 1)?;
     face_offsets.push(0);
-    let mut done = SplitMesh {
+    let mut result = SplitMesh {
         mesh: Mesh::new(positions, face_offsets, alloc::with_capacity(corners)?),
         face_origin: alloc::with_capacity(count)?,
         corner_origins: CornerOrigins { corners: alloc::with_capacity(corners)?, on_edges: Vec::new() },
@@ -60,7 +60,7 @@ pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &Junctions, job: &Job<
         // Append runs of unchanged faces at once.
         let until = face_of(next).unwrap_or(faces).min(f + REPORT_INTERVAL);
         if f < until {
-            done.append(mesh, f..until)?;
+            result.append(mesh, f..until)?;
             f = until;
             continue;
         }
@@ -70,17 +70,17 @@ pub(super) fn split_edges(mesh: &MeshView<'_>, junctions: &Junctions, job: &Job<
         }
         let half_edge = |k: usize| edges[splits[k].edge as usize].half_edge;
         split_face.set(mesh, f, (first..next).map(|k| (half_edge(k), splits[k].at, (vertices + k) as u32)))?;
-        done.split_faces += 1;
+        result.split_faces += 1;
         split_face.parts(|part| {
             for &(v, origin) in part {
-                alloc::push(&mut done.mesh.face_corners, v)?;
-                done.corner_origins.push(origin)?;
+                alloc::push(&mut result.mesh.face_corners, v)?;
+                result.corner_origins.push(origin)?;
             }
-            done.end_face(f)
+            result.end_face(f)
         })?;
         f += 1;
     }
-    Ok(done)
+    Ok(result)
 }
 
 impl SplitMesh {

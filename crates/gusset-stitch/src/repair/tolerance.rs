@@ -127,7 +127,7 @@ fn round_off(mesh: &MeshView<'_>, members: &[u32], job: &Job<'_>) -> Result<f64>
             differences.add(steps.classify(x - y, x.abs() + y.abs()));
         }
     }
-    let shown = [coordinates, differences].iter().filter_map(Histogram::shown).min();
+    let shown = [coordinates, differences].iter().filter_map(Histogram::visible_step).min();
     Ok(shown.map_or(by_type, |step| by_type.max(2.0 * steps.length(step))))
 }
 
@@ -198,7 +198,7 @@ impl Histogram {
     }
 
     /// Returns the coarsest step of which a third of the coordinates are multiples.
-    fn shown(&self) -> Option<usize> {
+    fn visible_step(&self) -> Option<usize> {
         let count = self.others + self.steps.iter().sum::<usize>();
         let mut multiples = 0;
         self.steps.iter().position(|&more| {

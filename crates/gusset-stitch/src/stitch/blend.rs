@@ -1,10 +1,10 @@
 //! A blend that replaces a strip: triangles as fine as those around it, on a surface tangent to
-//! both pieces; see [`blend`](crate::blend).
+//! both pieces; see [`crate::blend`].
 
 use super::grid::FaceList;
 use super::neighbourhood::Neighbourhood;
 use super::strip::{Parents, Strip};
-use crate::blend::{self, Beyond, Limits, MAX_FAN_TRIANGLES, OldRing, Way};
+use crate::blend::{self, Beyond, FairingWay, MAX_FAN_TRIANGLES, OldRing, VertexLimits};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -16,14 +16,14 @@ use gusset_mesh::{MAX_ELEMENTS, Mesh};
 /// The width, in mean radii of the larger rim, from which a blend follows the strip.
 const REACH: f64 = 3.0;
 /// The limits on blends. A gap that needs more vertices, or longer edges, is too wide for a blend.
-const LIMITS: Limits = Limits { new: 50_000, at_rim: 16, growth: 2.0 };
+const LIMITS: VertexLimits = VertexLimits { new: 50_000, at_rim: 16, growth: 2.0 };
 
 /// The fairing attempts, in order, until nothing intersects.
-pub(super) const WAYS: [Way; 4] = [
-    Way { rounds: 2, unfolds: false },
-    Way { rounds: 2, unfolds: true },
-    Way { rounds: 1, unfolds: true },
-    Way::UNFAIRED,
+pub(super) const WAYS: [FairingWay; 4] = [
+    FairingWay { rounds: 2, unfolds: false },
+    FairingWay { rounds: 2, unfolds: true },
+    FairingWay { rounds: 1, unfolds: true },
+    FairingWay::UNFAIRED,
 ];
 
 /// The faces and vertices that replace the strip's.
@@ -54,7 +54,7 @@ pub(super) fn plan(
 pub(super) fn blend(
     plan: &blend::Plan<impl Fn(u32, u32) -> bool>,
     strip: &Strip,
-    way: Way,
+    way: FairingWay,
     job: &Job<'_>,
 ) -> Result<Blend> {
     let made = plan.blend(way, &job.part(0.0, 0.9))?;

@@ -13,7 +13,7 @@ pub enum Extent {
     #[default]
     WholeLoops,
     /// The runs of vertices that face the other loop, as in the paper; see
-    /// [`facing`](super::facing).
+    /// [`super::facing`].
     OpenArcs,
     /// Whole loops if the loops face each other squarely, or if the planes are undecided; open arcs
     /// otherwise.

@@ -145,10 +145,12 @@ pub struct Facing {
 /// Finds the runs of vertices of loop `a` and of loop `b` that face the other loop. O((N + M) log
 /// M).
 ///
-/// # Errors [`Error::LoopTooShort`] for a loop without vertices. [`Error::OptionOutOfRange`] for a
-/// tolerance that is negative or not finite. [`Error::PlanesUndecided`] for a loop without a vertex
-/// beyond the tolerance, or if the distance of the centres is within the tolerance.
-/// [`Error::NotFinite`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// # Errors
+/// * [`Error::LoopTooShort`] for a loop without vertices.
+/// * [`Error::OptionOutOfRange`] for a tolerance that is negative or not finite.
+/// * [`Error::PlanesUndecided`] for a loop without a vertex beyond the tolerance, or if the
+///   distance of the centres is within the tolerance.
+/// * [`Error::NotFinite`], [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn facing(a: &[DVec3], b: &[DVec3], options: &Options, job: &Job<'_>) -> Result<Facing> {
     job.step(0.0, STAGE)?;
     for (side, points) in [(Side::A, a), (Side::B, b)] {
@@ -164,11 +166,11 @@ pub fn facing(a: &[DVec3], b: &[DVec3], options: &Options, job: &Job<'_>) -> Res
     let (small_a, small_b) = (small(a)?, small(b)?);
     let limit = options.tolerance.map_or(2.0 * round_off(Scalar::F64), |t| t / unit);
     let planes = Planes::new(&small_a, &small_b, options.centres);
-    let mut found = facing_in_unit(&small_a, &small_b, planes, limit, options.run, &job.part(0.1, 1.0))?;
-    found.planes.centres = found.planes.centres.map(|c| c * unit);
-    found.planes.normals = found.planes.normals.map(|n| n * unit);
-    found.distances.iter_mut().flatten().for_each(|d| *d *= unit);
-    Ok(found)
+    let mut facing_runs = facing_in_unit(&small_a, &small_b, planes, limit, options.run, &job.part(0.1, 1.0))?;
+    facing_runs.planes.centres = facing_runs.planes.centres.map(|c| c * unit);
+    facing_runs.planes.normals = facing_runs.planes.normals.map(|n| n * unit);
+    facing_runs.distances.iter_mut().flatten().for_each(|d| *d *= unit);
+    Ok(facing_runs)
 }
 
 /// # Errors

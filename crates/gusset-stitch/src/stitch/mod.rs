@@ -20,7 +20,7 @@
 //! | [`meridian`] | meridians, matrix H: the paper's rule, the strip of least area, and others |
 //! | [`grid`](self) | rows between the rims, matrix P, and the faces between them |
 //! | [`strip`](self) | strip between two rims: start, meridians, grid |
-//! | [`fair_and_check`](self) | fairing of the rows, and intersections of the strip with itself and the pieces |
+//! | [`fair_and_check`](self) | fairing of the rows, and intersections of the strip |
 //! | [`avoid`](self) | another strip if one intersects |
 //! | [`blend`](self) | finer triangles on a smooth surface in place of the strip |
 //! | [`neighbourhood`](self) | the faces around a strip |

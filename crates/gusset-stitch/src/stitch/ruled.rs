@@ -38,8 +38,8 @@ pub struct Ruled {
     /// The number of points of each polyline.
     pub counts: [u32; 2],
     /// The meridians as places counted from the first meridian. Between closed polylines of N and M
-    /// points they run from (0, 0) to (N, M), where place N is place 0 again. Between open ones they
-    /// run to (N - 1, M - 1).
+    /// points they run from (0, 0) to (N, M), where place N is place 0 again. Between open ones
+    /// they run to (N - 1, M - 1).
     pub meridians: Vec<Pair>,
     /// A's points, then B's, then the new ones row by row. Faces run A_i+1, A_i, B_j: against
     /// polyline A, and along B.

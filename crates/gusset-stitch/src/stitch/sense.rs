@@ -44,7 +44,7 @@ fn run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
 pub fn rims_disagree(a: &Rim, b: &Rim) -> Result<bool> {
     let leads = |rim: &Rim| rim.outward.length() > MIN_MEAN_DIRECTION;
     if leads(a) && leads(b) && a.outward.dot(b.outward) > 0.0 && !is_nested(&a.points, &b.points) {
-        let (u, v) = (turns(a), turns(b));
+        let (u, v) = (outward_cosine(a), outward_cosine(b));
         return Ok(u.abs().min(v.abs()) > MIN_MEAN_DIRECTION && u * v < 0.0);
     }
     run_the_same_way(&a.points, &b.points)
@@ -54,7 +54,7 @@ pub fn rims_disagree(a: &Rim, b: &Rim) -> Result<bool> {
 const MIN_MEAN_DIRECTION: f64 = 0.3;
 
 /// Returns the cosine of the angle between a rim's area vector and its outward direction.
-fn turns(rim: &Rim) -> f64 {
+fn outward_cosine(rim: &Rim) -> f64 {
     normal(&rim.points).dot(rim.outward.normalize_or_zero())
 }
 
@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn circles_of_any_count_phase_and_distance() {
+    fn circles_of_any_count_phase_and_distance_are_recognised() {
         for (n, m) in [(3, 4), (30, 20), (100, 7), (64, 64)] {
             for lift in [0.0, 0.1, 50.0] {
                 for turn in [0.0, 1.0, 4.0] {
@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_told_is_left_alone() {
+    fn undecided_directions_are_left_alone() {
         let line: Vec<_> = (0..10).chain((1..9).rev()).map(|i| DVec3::X * f64::from(i)).collect();
         assert!(!run_the_same_way(&line, &line).unwrap());
         assert!(!run_the_same_way(&[DVec3::ONE; 3], &circle(5, 0.0, 0.0)).unwrap());

@@ -39,13 +39,13 @@ pub(super) fn crossings(layers: &[Layer], regions: &[Region<'_, '_>], job: &Job<
         owners[s as usize][0] != owners[t as usize][0] && !is_found[worse(s, t) as usize].load(Ordering::Relaxed)
     };
     let list = |s: u32, t: u32| !is_found[worse(s, t) as usize].swap(true, Ordering::Relaxed);
-    let mut found = alloc::filled(Vec::new(), layers.len())?;
+    let mut crossing_faces = alloc::filled(Vec::new(), layers.len())?;
     for [s, t] in intersecting_pairs_where(&soup, &wanted, &list, job)? {
         let [k, f] = owners[worse(s, t) as usize];
-        alloc::push(&mut found[k as usize], f)?;
+        alloc::push(&mut crossing_faces[k as usize], f)?;
     }
-    found.iter_mut().for_each(sort_distinct);
-    Ok(found)
+    crossing_faces.iter_mut().for_each(sort_distinct);
+    Ok(crossing_faces)
 }
 
 /// Adds faces that touch another piece exactly at a vertex without sharing an edge: strips and
@@ -57,7 +57,7 @@ pub(super) fn add_touching(
     layers: &[Layer],
     regions: &[Region<'_, '_>],
     pairs: &[[u32; 2]],
-    found: &mut [Vec<u32>],
+    crossing_faces: &mut [Vec<u32>],
 ) -> Result<()> {
     // Add 0, so that -0 equals 0.
     let key = |p: DVec3| p.to_array().map(|x| (x + 0.0).to_bits());
@@ -85,9 +85,9 @@ pub(super) fn add_touching(
         let any = place.iter().any(|&(_, k, _)| is_held(k));
         let overlaps = |k: u32| place.iter().any(|&(_, j, _)| pairs.binary_search(&[j.min(k), j.max(k)]).is_ok());
         for &(_, k, f) in place.iter().filter(|&&(_, k, _)| !is_held(k) && (any || k != first) && overlaps(k)) {
-            alloc::push(&mut found[k as usize], f)?;
+            alloc::push(&mut crossing_faces[k as usize], f)?;
         }
     }
-    found.iter_mut().for_each(sort_distinct);
+    crossing_faces.iter_mut().for_each(sort_distinct);
     Ok(())
 }

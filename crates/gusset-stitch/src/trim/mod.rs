@@ -5,13 +5,13 @@
 //! the line of equal confidence, near the middle of the overlap, and vertices do not move:
 //!
 //! 1. Each vertex has a confidence: its distance from the nearest border of its piece, in mean
-//!    edges, so that the finer of two pieces has more. If the caller gives viewpoints, vertices that
-//!    were seen at a grazing angle have less.
-//! 2. A vertex lies on another piece if the nearest place there is near, faces the same side, and is
-//!    not on a border.
-//! 3. The pieces are visited in order. A vertex is kept if it does not lie on earlier kept faces, and
-//!    is at least as confident as its places on later pieces, up to noise. A vertex too near to the
-//!    rim of earlier kept faces is not kept: that makes the gap.
+//!    edges, so that the finer of two pieces has more. If the caller gives viewpoints, vertices
+//!    that were seen at a grazing angle have less.
+//! 2. A vertex lies on another piece if the nearest place there is near, faces the same side, and
+//!    is not on a border.
+//! 3. The pieces are visited in order. A vertex is kept if it does not lie on earlier kept faces,
+//!    and is at least as confident as its places on later pieces, up to noise. A vertex too near to
+//!    the rim of earlier kept faces is not kept: that makes the gap.
 //! 4. Faces are kept if their vertices are. Parts thinner than two faces, small islands, and faces
 //!    that meet only in a vertex are removed. Removed faces no longer compete with others, and
 //!    islands that no other piece shows are restored.

@@ -21,7 +21,7 @@ const MAX_ROUNDS: usize = 20;
 
 /// The rims of the kept faces: vertices, and the midpoints of edges.
 #[derive(Default)]
-pub(super) struct Rims {
+pub(super) struct RegionRims {
     pub(super) points: Vec<DVec3>,
     /// The normals at these points, not normalised.
     pub(super) normals: Vec<DVec3>,
@@ -152,7 +152,7 @@ impl<'m, 'a> Region<'m, 'a> {
 
     /// Adds the rim of the kept faces: cut edges, beyond which a face was removed, and border
     /// edges.
-    pub(super) fn add_rim(&self, scan: &Scan, [cut, border]: &mut [Rims; 2], job: &Job<'_>) -> Result<()> {
+    pub(super) fn add_rim(&self, scan: &Scan, [cut, border]: &mut [RegionRims; 2], job: &Job<'_>) -> Result<()> {
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
             job.step_within(f, STAGE)?;
             for ((_, u, v), &g) in half_edges(self.mesh, f).zip(self.neighbours(f)) {

@@ -4,7 +4,7 @@ use super::STAGE;
 use super::covers::{Covers, SameSurface};
 use super::crossings::{add_touching, crossings};
 use super::layer::Layer;
-use super::region::{Region, Rims};
+use super::region::{Region, RegionRims};
 use super::trim_request::{Options, Trimmed};
 use crate::align::common_unit_of;
 use gusset_base::alloc;
@@ -39,9 +39,11 @@ const MAX_ROUNDS: usize = 12;
 /// O(V log F) for each piece and those near it, on the job's threads. Memory: linear.
 ///
 /// # Errors
-/// [`Error::EmptyMesh`] without pieces. [`Error::OptionOutOfRange`] for a distance or an angle out
-/// of range. [`Error::InputsDiffer`] for fewer viewpoints than pieces. [`Error::NotFinite`] for a
-/// viewpoint that is not finite. [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// * [`Error::EmptyMesh`] without pieces.
+/// * [`Error::OptionOutOfRange`] for a distance or an angle out of range.
+/// * [`Error::InputsDiffer`] for fewer viewpoints than pieces.
+/// * [`Error::NotFinite`] for a viewpoint that is not finite.
+/// * [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Trimmed> {
     if pieces.is_empty() {
         return Err(Error::EmptyMesh { what: "pieces" });
@@ -111,12 +113,12 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
                 continue;
             }
         }
-        let mut found = crossings(&layers, &regions, &job.part(0.7, 1.0))?;
-        add_touching(&layers, &regions, &pairs, &mut found)?;
-        if found.iter().all(Vec::is_empty) {
+        let mut crossing_faces = crossings(&layers, &regions, &job.part(0.7, 1.0))?;
+        add_touching(&layers, &regions, &pairs, &mut crossing_faces)?;
+        if crossing_faces.iter().all(Vec::is_empty) {
             break;
         }
-        for (region, faces) in regions.iter_mut().zip(&found) {
+        for (region, faces) in regions.iter_mut().zip(&crossing_faces) {
             cut += faces.len() as u32;
             region.remove_for_good(faces)?;
         }
@@ -156,7 +158,7 @@ fn choose_faces(
     let margin = |v| covers[k].margin(v, layer.confidence[v], competes).clamp(-MAX_MARGIN, MAX_MARGIN);
     let mut margins = alloc::collect_cancellable((0..points.len()).map(margin), job, STAGE)?;
     own[0].smooth(&mut margins, SMOOTHING_PASSES, job)?;
-    let mut rims = [Rims::default(), Rims::default()];
+    let mut rims = [RegionRims::default(), RegionRims::default()];
     for (region, other) in before.iter().zip(layers) {
         job.step(0.0, STAGE)?;
         if layer.scan.bounds.is_within(&other.scan.bounds, GAP_EDGES * other.scan.spacing) {
@@ -166,7 +168,7 @@ fn choose_faces(
     let trees = alloc::try_collect(rims.iter().map(|rims| KdTree::new(&rims.points, job, STAGE)))?;
     let gap = Radius::new((GAP_EDGES * layer.scan.spacing).max(f64::MIN_POSITIVE));
     let is_near_rim = |v: usize| {
-        let bars = |rims: &Rims, r: u32| rims.normals[r as usize].dot(layer.scan.normals[v]) > 0.0;
+        let bars = |rims: &RegionRims, r: u32| rims.normals[r as usize].dot(layer.scan.normals[v]) > 0.0;
         // Borders that already meet need no gap.
         let count = if layer.scan.rim.contains(v as u32) { 1 } else { 2 };
         rims.iter().zip(&trees).take(count).any(|(rims, tree)| {

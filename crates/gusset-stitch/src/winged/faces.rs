@@ -27,7 +27,7 @@ const REPORT_INTERVAL: usize = 1 << 16;
 
 /// One side of an edge, in the direction in which its face runs in the tables.
 #[derive(Clone, Copy)]
-struct Side {
+struct WingedSide {
     face: u32,
     from: u32,
     to: u32,
@@ -36,11 +36,11 @@ struct Side {
 }
 
 /// Returns the sides R, then L.
-fn sides(edge: &WingedEdge) -> [Side; 2] {
+fn sides(edge: &WingedEdge) -> [WingedSide; 2] {
     let &WingedEdge { m, n, b, c, d, e, left, right, .. } = edge;
     [
-        Side { face: right, from: m, to: n, before: d, after: b },
-        Side { face: left, from: n, to: m, before: c, after: e },
+        WingedSide { face: right, from: m, to: n, before: d, after: b },
+        WingedSide { face: left, from: n, to: m, before: c, after: e },
     ]
 }
 
@@ -85,12 +85,12 @@ pub fn faces(
     let starts = starts(edges, face_count, first_edges, winding)?;
 
     let total = sizes.iter().map(|&size| size as usize).sum();
-    let mut found = WingedFaces {
+    let mut result = WingedFaces {
         offsets: alloc::with_capacity(face_count + 1)?,
         corners: alloc::with_capacity(total)?,
         edges: alloc::with_capacity(total)?,
     };
-    found.offsets.push(0);
+    result.offsets.push(0);
     for (face, (&size, start)) in sizes.iter().zip(starts).enumerate() {
         walking.step_every(REPORT_INTERVAL, face, face_count, "walking round faces")?;
         let mut at = start;
@@ -101,8 +101,8 @@ pub fn faces(
                 Winding::Clockwise => (side.from, next_side(edges, at)),
                 Winding::CounterClockwise => (side.to, previous_side(edges, at)),
             };
-            found.corners.push(corner);
-            found.edges.push(at.0);
+            result.corners.push(corner);
+            result.edges.push(at.0);
             let Some(next) = next else {
                 return bad(at.0 as usize, "it has a wing that is not next to it along its face");
             };
@@ -113,10 +113,10 @@ pub fn faces(
             }
             at = next;
         }
-        found.offsets.push(found.corners.len() as u32);
+        result.offsets.push(result.corners.len() as u32);
     }
     job.step(1.0, "walking round faces")?;
-    Ok(found)
+    Ok(result)
 }
 
 /// Returns the reason why a record by itself is invalid.

@@ -96,19 +96,19 @@ pub fn free_loops(tables: &WingedEdges, job: &Job<'_>) -> Result<FreeLoops> {
 
     job.step(0.0, STAGE)?;
     let total = loops.iter().map(Vec::len).sum();
-    let mut found = FreeLoops {
+    let mut result = FreeLoops {
         vertices: alloc::with_capacity(total)?,
         edges: alloc::with_capacity(total)?,
         offsets: alloc::with_capacity(loops.len() + 1)?,
     };
-    found.offsets.push(0);
+    result.offsets.push(0);
     for steps in &loops {
-        found.vertices.extend(steps.iter().map(|&step| tail(step)));
-        found.edges.extend(steps.iter().map(|step| step.edge));
-        found.offsets.push(found.edges.len() as u32);
+        result.vertices.extend(steps.iter().map(|&step| tail(step)));
+        result.edges.extend(steps.iter().map(|step| step.edge));
+        result.offsets.push(result.edges.len() as u32);
     }
     job.step(1.0, STAGE)?;
-    Ok(found)
+    Ok(result)
 }
 
 /// Criterion (3) according to the text: exactly one side is NULL.

@@ -1,6 +1,6 @@
 //! Curves that continue creases across a hole.
 
-use super::super::patch_rim::Rim;
+use super::super::patch_rim::PatchRim;
 use super::curve::{Curve, tangent};
 use super::ends::End;
 use super::joins::tangents;
@@ -22,8 +22,8 @@ pub(super) struct Bridge {
 }
 
 /// The bridges under construction.
-pub(super) struct Bridges<'a> {
-    rim: &'a Rim,
+pub(super) struct CreaseBridges<'a> {
+    rim: &'a PatchRim,
     ends: &'a [End],
     pub(super) points: Vec<DVec3>,
     /// The bridge that starts at each crease end.
@@ -31,10 +31,10 @@ pub(super) struct Bridges<'a> {
     curves: u32,
 }
 
-impl<'a> Bridges<'a> {
-    pub(super) fn new(rim: &'a Rim, ends: &'a [End]) -> Result<Self> {
+impl<'a> CreaseBridges<'a> {
+    pub(super) fn new(rim: &'a PatchRim, ends: &'a [End]) -> Result<Self> {
         let bridges = alloc::collect(ends.iter().map(|_| None))?;
-        Ok(Bridges { rim, ends, points: Vec::new(), bridges, curves: 0 })
+        Ok(CreaseBridges { rim, ends, points: Vec::new(), bridges, curves: 0 })
     }
 
     fn tip(&self, end: usize) -> DVec3 {

@@ -1,6 +1,6 @@
 //! Ends of the old surface's creases on a rim.
 
-use super::super::patch_rim::Rim;
+use super::super::patch_rim::PatchRim;
 use super::curve::angle;
 use crate::blend::MAX_FAN_TRIANGLES;
 use glam::DVec3;
@@ -77,7 +77,7 @@ impl Touch {
 /// Corners of triangles at the rim's vertices: (the triangle, its corner before, its corner after).
 pub(super) type Corners = Buckets<(u32, u32, u32)>;
 
-pub(super) fn corners(rim: &Rim) -> Result<Corners> {
+pub(super) fn corners(rim: &PatchRim) -> Result<Corners> {
     let given = rim.around.iter().zip(0..).flat_map(|(&[a, b, c], t)| [(b, (t, a, c)), (c, (t, b, a)), (a, (t, c, b))]);
     let at_rim = given.filter(|&(v, _)| (v as usize) < rim.count).map(|(v, corner)| (v as usize, corner));
     Buckets::new(rim.count, (0, 0, 0), at_rim)
@@ -85,7 +85,7 @@ pub(super) fn corners(rim: &Rim) -> Result<Corners> {
 
 /// Finds the crease ends on a rim, ordered by their tips, and the touches. No two of them share a
 /// vertex. O(n) for n triangles.
-pub(super) fn find_ends(rim: &Rim, corners: &Corners) -> Result<(Vec<End>, Vec<Touch>)> {
+pub(super) fn find_ends(rim: &PatchRim, corners: &Corners) -> Result<(Vec<End>, Vec<Touch>)> {
     let mut bends = Vec::new();
     let mut sharpest = Vec::new();
     for v in 0..rim.count {
@@ -149,7 +149,7 @@ fn median(values: &[f64]) -> Result<f64> {
 /// Returns the triangles around a vertex, from its outgoing to its incoming rim edge. Each comes
 /// with the vertex that it shares with the next. The result is empty if they do not form a fan, or
 /// if the fan has too many triangles.
-fn fan(rim: &Rim, corners: &Corners, v: usize) -> Result<Vec<(u32, u32)>> {
+fn fan(rim: &PatchRim, corners: &Corners, v: usize) -> Result<Vec<(u32, u32)>> {
     let own = corners.get(v);
     let [before, after] = [(v + rim.count - 1) % rim.count, (v + 1) % rim.count].map(|v| v as u32);
     let mut fan = Vec::new();
@@ -165,17 +165,17 @@ fn fan(rim: &Rim, corners: &Corners, v: usize) -> Result<Vec<(u32, u32)>> {
     Ok(fan)
 }
 
-fn area(rim: &Rim, t: u32) -> DVec3 {
+fn area(rim: &PatchRim, t: u32) -> DVec3 {
     let [a, b, c] = rim.around[t as usize].map(|v| rim.points[v as usize]);
     (b - a).cross(c - a)
 }
 
 /// Returns the angle between two triangles of a fan; 0 if one of them is degenerate.
-fn bend(rim: &Rim, pair: &[(u32, u32)]) -> f64 {
+fn bend(rim: &PatchRim, pair: &[(u32, u32)]) -> f64 {
     angle(area(rim, pair[0].0), area(rim, pair[1].0))
 }
 
-fn fan_side(rim: &Rim, fan: &[(u32, u32)]) -> Result<(Vec<u32>, DVec3)> {
+fn fan_side(rim: &PatchRim, fan: &[(u32, u32)]) -> Result<(Vec<u32>, DVec3)> {
     let normal = fan.iter().map(|&(t, _)| area(rim, t)).sum::<DVec3>().normalize_or_zero();
     Ok((alloc::collect(fan.iter().map(|&(t, _)| t))?, normal))
 }
@@ -184,7 +184,7 @@ fn fan_side(rim: &Rim, fan: &[(u32, u32)]) -> Result<(Vec<u32>, DVec3)> {
 /// side. If these triangles bend against each other, a new crease starts along their line of
 /// intersection.
 fn add_corner(
-    rim: &Rim,
+    rim: &PatchRim,
     base: usize,
     fans: [&[(u32, u32)]; 2],
     ends: &mut Vec<End>,
@@ -204,7 +204,7 @@ fn add_corner(
 }
 
 /// Returns the end of the crease between the triangles k and k + 1 of a fan.
-fn crease_end(rim: &Rim, base: usize, k: usize, fan: &[(u32, u32)]) -> Result<End> {
+fn crease_end(rim: &PatchRim, base: usize, k: usize, fan: &[(u32, u32)]) -> Result<End> {
     let (after, before) = fan.split_at(k + 1);
     let [(before, n), (after, m)] = [fan_side(rim, before)?, fan_side(rim, after)?];
     let from = rim.points[fan[k].1 as usize];
@@ -216,7 +216,7 @@ fn crease_end(rim: &Rim, base: usize, k: usize, fan: &[(u32, u32)]) -> Result<En
 
 /// Returns the number of rim edges that continue a crease from its base, signed by their direction,
 /// and the crease's vertex before the tip.
-fn follow_rim(rim: &Rim, base: usize, from: DVec3) -> (isize, DVec3) {
+fn follow_rim(rim: &PatchRim, base: usize, from: DVec3) -> (isize, DVec3) {
     let n = rim.count;
     let at = |by: isize| rim.points[base.wrapping_add_signed(by + n as isize) % n];
     let direction = |p: DVec3, q: DVec3| (q - p).normalize_or_zero();

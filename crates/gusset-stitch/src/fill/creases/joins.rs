@@ -6,7 +6,7 @@
 //! A star costs the squared angles by which the creases miss its centre, plus the squared angles
 //! between the surfaces. An unmatched end has a fixed cost.
 
-use super::super::patch_rim::Rim;
+use super::super::patch_rim::PatchRim;
 use super::curve::{angle, tangent};
 use super::ends::End;
 use glam::{DMat3, DVec3};
@@ -47,7 +47,7 @@ pub(super) enum Join {
 
 /// Returns the best way to join ends, which are in the order of the rim. For m ends: O(m^3), and
 /// O(m^6) if stars are looked for.
-pub(super) fn match_ends(rim: &Rim, ends: &[End]) -> Result<Vec<Join>> {
+pub(super) fn match_ends(rim: &PatchRim, ends: &[End]) -> Result<Vec<Join>> {
     let m = ends.len();
     if !(2..=MAX_ENDS).contains(&m) {
         return Ok(Vec::new());
@@ -122,12 +122,12 @@ fn best_matching(ends: &[usize], cost: &impl Fn(usize, usize) -> f64) -> Result<
 }
 
 /// Returns the unit end tangents of the curve between two ends, pointing inwards along the curve.
-pub(super) fn tangents(rim: &Rim, [i, j]: [&End; 2]) -> [DVec3; 2] {
+pub(super) fn tangents(rim: &PatchRim, [i, j]: [&End; 2]) -> [DVec3; 2] {
     let [p, q] = [i, j].map(|end| rim.points[end.tip]);
     [tangent(i.from, p, q), tangent(j.from, q, p)]
 }
 
-fn pair_cost(rim: &Rim, i: &End, j: &End) -> f64 {
+fn pair_cost(rim: &PatchRim, i: &End, j: &End) -> f64 {
     let chord = (rim.points[j.tip] - rim.points[i.tip]).normalize_or_zero();
     let [leaves, returns] = tangents(rim, [i, j]);
     let arrives = -returns;
@@ -155,7 +155,7 @@ fn rotate(v: DVec3, from: DVec3, to: DVec3) -> DVec3 {
 /// Returns the cost, the centre and the arms of a star. The centre is the point nearest to the
 /// lines of three ends; the arms are all ends that point at it. Returns `None` if the three ends do
 /// not form a star.
-fn star(rim: &Rim, ends: &[End], three: [usize; 3]) -> Result<Option<(f64, DVec3, Vec<usize>)>> {
+fn star(rim: &PatchRim, ends: &[End], three: [usize; 3]) -> Result<Option<(f64, DVec3, Vec<usize>)>> {
     let size = Aabb::from_points(&rim.points[..rim.count]).diagonal();
     let misses = |centre: DVec3, end: &End| {
         let way = centre - rim.points[end.tip];
@@ -183,7 +183,7 @@ fn star(rim: &Rim, ends: &[End], three: [usize; 3]) -> Result<Option<(f64, DVec3
 /// Returns the point of least distance from the lines of the ends; `None` if they are parallel. The
 /// least squares are reweighted, so that a bent crease does not draw the point away from the
 /// intersection of straight creases.
-fn nearest_to_lines<'a>(rim: &Rim, ends: &(impl Iterator<Item = &'a End> + Clone)) -> Option<DVec3> {
+fn nearest_to_lines<'a>(rim: &PatchRim, ends: &(impl Iterator<Item = &'a End> + Clone)) -> Option<DVec3> {
     let mut centre: Option<DVec3> = None;
     for _ in 0..LINE_ROUNDS {
         let (mut matrix, mut right, mut sum) = (DMat3::ZERO, DVec3::ZERO, 0.0);

@@ -30,8 +30,8 @@ mod parts;
 #[cfg(test)]
 mod tests;
 
-use super::patch_rim::Rim;
-use bridges::Bridges;
+use super::patch_rim::PatchRim;
+use bridges::CreaseBridges;
 use glam::DVec3;
 use gusset_base::error::Result;
 use joins::Join;
@@ -53,14 +53,14 @@ pub(super) struct Division {
 /// of new vertices on the curves; `None` allows no new vertices.
 ///
 /// O(n) for n old triangles around the rim, plus O(m^6) for its m ends, which are few on any shape.
-pub(super) fn divide(rim: &Rim, taken: &dyn Fn(u32, u32) -> bool, limit: Option<u32>) -> Result<Option<Division>> {
+pub(super) fn divide(rim: &PatchRim, taken: &dyn Fn(u32, u32) -> bool, limit: Option<u32>) -> Result<Option<Division>> {
     if rim.lengths.len() > 1 {
         return Ok(None);
     }
     let corners = ends::corners(rim)?;
     let (ends, touches) = ends::find_ends(rim, &corners)?;
     let joins = joins::match_ends(rim, &ends)?;
-    let mut bridges = Bridges::new(rim, &ends)?;
+    let mut bridges = CreaseBridges::new(rim, &ends)?;
     // The limit for each end of a curve.
     let limit = limit.map(|limit| limit as usize / ends.len().max(1));
     for join in &joins {

@@ -1,6 +1,6 @@
 //! The parts into which curves cut a hole.
 
-use super::super::patch_rim::{OldFaces, Rim};
+use super::super::patch_rim::{OldFaces, PatchRim};
 use super::bridges::Bridge;
 use super::ends::{Corners, End, Touch};
 use glam::DVec3;
@@ -16,7 +16,7 @@ const NO_CURVE: [u32; 2] = [NONE; 2];
 pub(in super::super) struct Part {
     /// The part's rim, along the hole's rim and along curves, in the unit of the hole. It knows
     /// only the old triangles on its own side of the creases.
-    pub(in super::super) rim: Rim,
+    pub(in super::super) rim: PatchRim,
     /// For each vertex of the part's rim, its number on the hole's rim, or after those the number
     /// of a curve's vertex.
     pub(in super::super) names: Vec<u32>,
@@ -39,7 +39,7 @@ impl Part {
 
 /// The rim, the creases and the bridges that the outlines of parts follow.
 pub(super) struct Outlines<'a> {
-    pub(super) rim: &'a Rim,
+    pub(super) rim: &'a PatchRim,
     pub(super) corners: &'a Corners,
     pub(super) ends: &'a [End],
     pub(super) touches: &'a [Touch],
@@ -103,7 +103,7 @@ impl Outlines<'_> {
 
 /// The rim of a part under construction.
 struct Outline<'a> {
-    rim: &'a Rim,
+    rim: &'a PatchRim,
     corners: &'a Corners,
     touches: &'a [Touch],
     names: Vec<u32>,

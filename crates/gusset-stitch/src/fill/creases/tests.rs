@@ -1,6 +1,6 @@
 //! Grids of 9 by 9 cells with a square hole of 5 by 5 cells, over several height functions.
 
-use super::super::patch_rim::{OldFaces, Rim};
+use super::super::patch_rim::{OldFaces, PatchRim};
 use super::{Division, divide};
 use glam::DVec3;
 use gusset_base::testing::cases;
@@ -8,7 +8,7 @@ use gusset_base::testing::cases;
 const CELLS: u32 = 9;
 const HOLE: std::ops::RangeInclusive<u32> = 2..=6;
 
-fn rim(mut height: impl FnMut(f64, f64) -> f64) -> Rim {
+fn rim(mut height: impl FnMut(f64, f64) -> f64) -> PatchRim {
     let side = CELLS + 1;
     // Around the hole counter-clockwise, then all other vertices.
     let ring = (0..5).map(|k| (2 + k, 2)).chain((0..5).map(|k| (7, 2 + k)));
@@ -30,11 +30,11 @@ fn rim(mut height: impl FnMut(f64, f64) -> f64) -> Rim {
     let points: Vec<_> =
         order.iter().map(|&(x, y)| (f64::from(x), f64::from(y))).map(|(x, y)| DVec3::new(x, y, height(x, y))).collect();
     let sides = around.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]).collect();
-    Rim::new(&points, vec![20], OldFaces { around, beyond: Vec::new(), sides }, vec![DVec3::Z; 20], vec![true; 20])
+    PatchRim::new(&points, vec![20], OldFaces { around, beyond: Vec::new(), sides }, vec![DVec3::Z; 20], vec![true; 20])
         .unwrap()
 }
 
-fn divided(rim: &Rim, limit: Option<u32>) -> Option<Division> {
+fn divided(rim: &PatchRim, limit: Option<u32>) -> Option<Division> {
     divide(rim, &|_, _| false, limit).unwrap()
 }
 

@@ -7,7 +7,7 @@
 
 use super::super::chords::AllChords;
 use super::super::weigh::Cost;
-use super::numbered_rims::Rims;
+use super::numbered_rims::NumberedRims;
 use super::opened::Opened;
 use super::task::{Closed, Repeats, Task};
 use gusset_base::alloc;
@@ -39,15 +39,15 @@ pub(super) fn polygon_work(n: usize) -> f64 {
 }
 
 /// The bridges sorted by length, and the rank of each.
-struct Bridges {
+struct SortedBridges {
     /// The ends of each bridge, the smaller first.
     sorted: Vec<[u32; 2]>,
     /// The rank of the bridge (u, v) is at index u n + v, for n vertices.
     rank: Vec<u32>,
 }
 
-impl Bridges {
-    fn new(task: &Task<'_>) -> Result<Bridges> {
+impl SortedBridges {
+    fn new(task: &Task<'_>) -> Result<SortedBridges> {
         let n = task.rims.count() as u32;
         let pairs = (0..n).flat_map(|u| (u + 1..n).map(move |v| [u, v]));
         let mut sorted = alloc::gather(pairs.filter(|&[u, v]| task.rims.joins(u, v) && !(task.taken)(u, v)))?;
@@ -58,10 +58,10 @@ impl Bridges {
             rank[(u * n + v) as usize] = at;
             rank[(v * n + u) as usize] = at;
         }
-        Ok(Bridges { sorted, rank })
+        Ok(SortedBridges { sorted, rank })
     }
 
-    fn rank(&self, rims: &Rims, u: u32, v: u32) -> u32 {
+    fn rank(&self, rims: &NumberedRims, u: u32, v: u32) -> u32 {
         self.rank[u as usize * rims.count() + v as usize]
     }
 }
@@ -77,7 +77,7 @@ struct Branch {
 
 impl Branch {
     /// Adds one loop, joined at `place` to its vertex `v` by the bridge of this rank.
-    fn with_loop(&self, rims: &Rims, place: usize, v: u32, rank: u32) -> Result<Branch> {
+    fn with_loop(&self, rims: &NumberedRims, place: usize, v: u32, rank: u32) -> Result<Branch> {
         let ring = rims.ring[v as usize] as usize;
         let (mut is_joined, mut least) = (alloc::copied(&self.is_joined)?, alloc::copied(&self.least)?);
         let k = is_joined.len();
@@ -93,7 +93,7 @@ impl Branch {
 
 struct TreeSearch<'a> {
     task: &'a Task<'a>,
-    bridges: Bridges,
+    bridges: SortedBridges,
     best: Option<Closed>,
     /// Triangulations that cost no less than this are skipped.
     limit: Option<Cost>,
@@ -101,7 +101,7 @@ struct TreeSearch<'a> {
 }
 
 /// Returns the number of additional polygon searches, for repeated edges, that double the work.
-pub(super) fn max_repeats(rims: &Rims) -> usize {
+pub(super) fn max_repeats(rims: &NumberedRims) -> usize {
     (MAX_WORK / polygon_work(rims.count() + 2 * rims.loops() - 2)) as usize
 }
 
@@ -116,7 +116,7 @@ pub(super) fn best_over_trees(
     job: &Job<'_>,
 ) -> Result<Option<Closed>> {
     let (rims, k) = (task.rims, task.rims.loops());
-    let mut search = TreeSearch { task, bridges: Bridges::new(task)?, best: None, limit, repeats };
+    let mut search = TreeSearch { task, bridges: SortedBridges::new(task)?, best: None, limit, repeats };
     let count = search.bridges.sorted.len();
     for rank in 0..count {
         let [u, v] = search.bridges.sorted[rank];

@@ -4,7 +4,7 @@
 use super::super::chords::AllChords;
 use super::bridge_trees::{MAX_WORK, polygon_work};
 use super::improve::{NOTHING_TAKEN, REPEATS};
-use super::numbered_rims::Rims;
+use super::numbered_rims::NumberedRims;
 use super::opened::Opened;
 use super::task::{Closed, Repeats, Task};
 use gusset_base::alloc;
@@ -37,7 +37,7 @@ pub(super) fn exchange_bridges(task: &Task<'_>, job: &Job<'_>) -> Result<Option<
     let mut left = (2.0 * MAX_WORK / polygon_work(n as usize + 2 * tree.len())) as usize;
     let allowed = left.max(1) as f64;
     let search = |tree: &[[u32; 2]], best: &Option<Closed>, left: usize| {
-        let opened = opened_along(rims, tree)?;
+        let opened = open_along_tree(rims, tree)?;
         let limit = best.as_ref().map(|best| &best.cost);
         let chords = AllChords(opened.len());
         task.search(
@@ -71,7 +71,7 @@ pub(super) fn exchange_bridges(task: &Task<'_>, job: &Job<'_>) -> Result<Option<
 }
 
 /// Returns the shortest bridges that join all loops, without common ends if possible.
-fn shortest_tree(rims: &Rims, bridges: &[[u32; 2]]) -> Result<Option<Vec<[u32; 2]>>> {
+fn shortest_tree(rims: &NumberedRims, bridges: &[[u32; 2]]) -> Result<Option<Vec<[u32; 2]>>> {
     let mut joined = DisjointSets::new(rims.loops())?;
     let mut tree = Vec::<[u32; 2]>::new();
     for apart in [true, false] {
@@ -91,7 +91,7 @@ fn shortest_tree(rims: &Rims, bridges: &[[u32; 2]]) -> Result<Option<Vec<[u32; 2
 }
 
 /// Returns the shortest bridges that join the two parts of a tree without its bridge `removed`.
-fn replacements(rims: &Rims, bridges: &[[u32; 2]], tree: &[[u32; 2]], removed: usize) -> Result<Vec<[u32; 2]>> {
+fn replacements(rims: &NumberedRims, bridges: &[[u32; 2]], tree: &[[u32; 2]], removed: usize) -> Result<Vec<[u32; 2]>> {
     let mut joined = DisjointSets::new(rims.loops())?;
     let ring = |v: u32| rims.ring[v as usize];
     for (_, &[u, v]) in tree.iter().enumerate().filter(|&(k, _)| k != removed) {
@@ -102,7 +102,7 @@ fn replacements(rims: &Rims, bridges: &[[u32; 2]], tree: &[[u32; 2]], removed: u
 }
 
 /// Returns the polygon along a tree of bridges. Several bridges at one vertex come in any order.
-fn opened_along(rims: &Rims, tree: &[[u32; 2]]) -> Result<Opened> {
+fn open_along_tree(rims: &NumberedRims, tree: &[[u32; 2]]) -> Result<Opened> {
     let ring = |v: u32| rims.ring[v as usize] as usize;
     let mut opened = Opened::from_loop(rims.range(ring(tree[0][0])))?;
     let mut is_joined = alloc::filled(false, rims.loops())?;

@@ -2,7 +2,7 @@
 
 use super::super::chords::{AllChords, NearChords};
 use super::super::search::{MAX_EXACT, MAX_SEARCHED, MIN_GAIN, bands};
-use super::numbered_rims::Rims;
+use super::numbered_rims::NumberedRims;
 use super::opened::cut_open;
 use super::task::{Closed, Repeats, Task};
 use gusset_base::alloc;
@@ -69,7 +69,7 @@ pub(super) fn far_tree(task: &Task<'_>, triangles: &[[u32; 3]], old: &[[u32; 2]]
 
 /// Returns each vertex's distance along its loop from the nearest of `ends`, as a fraction of the
 /// loop's vertices. It is at least 1 on a loop without ends.
-fn distances(rims: &Rims, ends: &[u32]) -> Result<Vec<f64>> {
+fn distances(rims: &NumberedRims, ends: &[u32]) -> Result<Vec<f64>> {
     let mut is_end = alloc::filled(false, rims.count())?;
     ends.iter().for_each(|&v| is_end[v as usize] = true);
     let mut distances = alloc::filled(f64::INFINITY, rims.count())?;
@@ -91,7 +91,7 @@ fn distances(rims: &Rims, ends: &[u32]) -> Result<Vec<f64>> {
 }
 
 /// Returns the bridges that join loops that the earlier bridges do not join.
-fn spanning_tree(rims: &Rims, bridges: impl Iterator<Item = [u32; 2]>) -> Result<Vec<[u32; 2]>> {
+fn spanning_tree(rims: &NumberedRims, bridges: impl Iterator<Item = [u32; 2]>) -> Result<Vec<[u32; 2]>> {
     let mut joined = DisjointSets::new(rims.loops())?;
     let mut tree = Vec::new();
     for [u, v] in bridges {

@@ -37,7 +37,7 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use improve::{NOTHING_TAKEN, REPEATS};
-use numbered_rims::Rims;
+use numbered_rims::NumberedRims;
 use task::{Closed, Repeats, Task};
 
 /// Largest number of vertices, bridges counted twice, that are searched at full density.
@@ -82,7 +82,7 @@ pub(super) fn triangulate_together(
     if let [polygon] = loops {
         return minimum_weight(polygon, weight, &|i, k| taken(i as u32, k as u32), job);
     }
-    let rims = Rims::new(loops)?;
+    let rims = NumberedRims::new(loops)?;
     let task = Task { rims: &rims, weight, measure: rims.measure(), taken, is_finest: true };
     let plane = nested::common_plane(&rims);
     if let Some(normal) = plane
@@ -102,7 +102,7 @@ pub(super) fn triangulate_together(
 /// Costs of the same loops and weight can be compared, to tell which loops should share a patch.
 /// The points need a common origin and unit. O(n log n).
 pub(super) fn cost(loops: &[Polygon], triangles: &[[u32; 3]], weight: Weight) -> Result<Cost> {
-    let rims = Rims::new(loops)?;
+    let rims = NumberedRims::new(loops)?;
     let measure = Measure::new(rims.points(), triangles.len());
     Task { rims: &rims, weight, measure, taken: NOTHING_TAKEN, is_finest: true }.cost(triangles)
 }
@@ -126,7 +126,7 @@ pub(super) fn may_gain(loops: [&Polygon; 2], weight: Weight, job: &Job<'_>) -> R
         first += polygon.points.len() as u32;
     }
     let limit = cost(&few, &apart, weight)?.scaled(TRIAL_COST_RATIO);
-    let rims = Rims::new(&few)?;
+    let rims = NumberedRims::new(&few)?;
     let task = Task { rims: &rims, weight, measure: rims.measure(), taken: NOTHING_TAKEN, is_finest: true };
     Ok(bridge_trees::best_over_trees(&task, Some(limit), REPEATS, job)?.is_some())
 }
@@ -149,7 +149,7 @@ fn close_loops(loops: &[Polygon], task: &Task<'_>, job: &Job<'_>) -> Result<Opti
         let best = exchange::exchange_bridges(task, &job.part(0.0, 0.8))?;
         return best.map(|best| improve::improve(task, best, &job.part(0.8, 1.0))).transpose();
     };
-    let rims = Rims::new(&coarse)?;
+    let rims = NumberedRims::new(&coarse)?;
     let taken = |u: u32, v: u32| (task.taken)(kept[u as usize], kept[v as usize]);
     let measure = rims.measure().with_unit_of(task.measure);
     let coarse_task = Task { rims: &rims, weight: task.weight, measure, taken: &taken, is_finest: false };

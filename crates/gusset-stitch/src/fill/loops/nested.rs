@@ -6,7 +6,7 @@
 //! triangle between them, whichever is visible (D. Eberly, *Triangulation by ear clipping*, 2002).
 
 use super::super::clip::{clip_ears, is_planar};
-use super::numbered_rims::Rims;
+use super::numbered_rims::NumberedRims;
 use super::opened::Opened;
 use super::task::Task;
 use crate::remesh::PatchMesh;
@@ -22,7 +22,7 @@ const MAX_EXCESS: f64 = 1e-9;
 
 /// Returns the normal of the plane of all loops. Returns `None` if they are not coplanar, or if
 /// their total area vector is 0.
-pub(super) fn common_plane(rims: &Rims) -> Option<DVec3> {
+pub(super) fn common_plane(rims: &NumberedRims) -> Option<DVec3> {
     let first = *rims.all.points.first()?;
     let normal = rims.points().map(|points| area_vector(points, first)).sum::<DVec3>().try_normalize()?;
     is_planar(&rims.all.points, normal).then_some(normal)

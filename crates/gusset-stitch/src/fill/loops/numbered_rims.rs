@@ -7,7 +7,7 @@ use gusset_base::error::Result;
 use std::ops::Range;
 
 /// Loops in sequence, with consecutive vertex numbers.
-pub(super) struct Rims {
+pub(super) struct NumberedRims {
     /// The vertices of all loops.
     pub(super) all: Polygon,
     /// The first vertex of each loop, then the number of vertices.
@@ -16,9 +16,9 @@ pub(super) struct Rims {
     pub(super) ring: Vec<u32>,
 }
 
-impl Rims {
+impl NumberedRims {
     /// Concatenates the loops, which must have fewer than 2^32 vertices in all.
-    pub(super) fn new(loops: &[Polygon]) -> Result<Rims> {
+    pub(super) fn new(loops: &[Polygon]) -> Result<NumberedRims> {
         let mut all = Polygon::new(Vec::new(), Vec::new(), Vec::new());
         let (mut start, mut ring) = (alloc::filled(0, 1)?, Vec::new());
         for (polygon, number) in loops.iter().zip(0..) {
@@ -28,7 +28,7 @@ impl Rims {
             alloc::grow(&mut ring, all.points.len(), number)?;
             alloc::push(&mut start, all.points.len() as u32)?;
         }
-        Ok(Rims { all, start, ring })
+        Ok(NumberedRims { all, start, ring })
     }
 
     /// Returns the number of vertices.

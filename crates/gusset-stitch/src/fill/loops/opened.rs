@@ -8,7 +8,7 @@
 //! ends.
 
 use super::super::weigh::Polygon;
-use super::numbered_rims::Rims;
+use super::numbered_rims::NumberedRims;
 use crate::remesh::PatchMesh;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -48,7 +48,7 @@ impl Opened {
         self.order.len()
     }
 
-    pub(super) fn polygon(&self, rims: &Rims) -> Result<Polygon> {
+    pub(super) fn polygon(&self, rims: &NumberedRims) -> Result<Polygon> {
         let at = |of: &[DVec3]| alloc::collect(self.order.iter().map(|&v| of[v as usize]));
         // The surface across a bridge is not known yet.
         let across = self.order.iter().zip(&self.bridges);
@@ -76,7 +76,7 @@ impl Opened {
 
     /// Returns the polygon of finer loops with the same bridges, and the new place of each old
     /// place. `kept` lists the vertices of these loops in the finer loops.
-    pub(super) fn refined(&self, rims: &Rims, kept: &[u32]) -> Result<(Opened, Vec<u32>)> {
+    pub(super) fn refined(&self, rims: &NumberedRims, kept: &[u32]) -> Result<(Opened, Vec<u32>)> {
         let mut finer = Opened { order: Vec::new(), bridges: Vec::new() };
         let mut places = alloc::with_capacity(self.len())?;
         for p in 0..self.len() {
@@ -113,7 +113,7 @@ impl Opened {
 ///
 /// O(n log n).
 pub(super) fn cut_open(
-    rims: &Rims,
+    rims: &NumberedRims,
     triangles: &[[u32; 3]],
     tree: &[[u32; 2]],
 ) -> Result<Option<(Opened, Vec<[u32; 3]>)>> {

@@ -4,7 +4,7 @@ use super::super::Weight;
 use super::super::chords::Chords;
 use super::super::search::best_triangulation;
 use super::super::weigh::{Cost, Measure, Scale};
-use super::numbered_rims::Rims;
+use super::numbered_rims::NumberedRims;
 use super::opened::Opened;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -15,7 +15,7 @@ use gusset_base::sort::Buckets;
 
 /// Loops to be closed together, and the criteria.
 pub(super) struct Task<'a> {
-    pub(super) rims: &'a Rims,
+    pub(super) rims: &'a NumberedRims,
     pub(super) weight: Weight,
     pub(super) measure: Measure,
     /// Returns true if two vertices must not get an edge.
@@ -68,7 +68,7 @@ pub(super) struct Closed {
 impl Task<'_> {
     /// Returns true if `a` is less than `b` by the measure of these loops.
     pub(super) fn is_less(&self, a: &Cost, b: &Cost) -> bool {
-        Scale::opened(&self.rims.all, self.weight, self.measure, &[]).is_less(a, b)
+        Scale::for_opened(&self.rims.all, self.weight, self.measure, &[]).is_less(a, b)
     }
 
     /// Returns true if no chord may join the vertices.
@@ -88,7 +88,7 @@ impl Task<'_> {
         job: &Job<'_>,
     ) -> Result<Option<Closed>> {
         let polygon = opened.polygon(self.rims)?;
-        let scale = Scale::opened(&polygon, self.weight, self.measure, &opened.bridges);
+        let scale = Scale::for_opened(&polygon, self.weight, self.measure, &opened.bridges);
         let tree = opened.tree()?;
         let mut is_copied = alloc::filled(false, self.rims.count())?;
         tree.iter().flat_map(|(ends, _)| ends).for_each(|&v| is_copied[v as usize] = true);
@@ -97,7 +97,7 @@ impl Task<'_> {
                 tree.binary_search_by_key(&[u.min(v), u.max(v)], |&(ends, _)| ends).is_ok()
             }
         };
-        let mut found: Option<(Vec<[u32; 3]>, Cost)> = None;
+        let mut best: Option<(Vec<[u32; 3]>, Cost)> = None;
         let mut open = vec![Vec::<[u32; 2]>::new()];
         while let Some(without) = open.pop() {
             let forbidden = |i: usize, k: usize| {
@@ -105,7 +105,7 @@ impl Task<'_> {
                 let is_out = || without.binary_search(&[i as u32, k as u32]).is_ok();
                 self.forbids(u, v) || is_bridge(u, v) || excluded(u, v) || is_out()
             };
-            let least = found.as_ref().map(|(_, cost)| cost).or(limit);
+            let least = best.as_ref().map(|(_, cost)| cost).or(limit);
             let Some(next) = best_triangulation(&scale, chords, &forbidden, least, job)? else {
                 continue;
             };
@@ -116,16 +116,16 @@ impl Task<'_> {
             }
             let cost = next.cost.plus(bridge_bends(&scale, &tree, &next.triangles)?);
             if least.is_none_or(|least| scale.is_less(&cost, least)) {
-                found = Some((next.triangles, cost));
+                best = Some((next.triangles, cost));
             }
         }
-        Ok(found.map(|(triangles, cost)| Closed { opened, triangles, cost }))
+        Ok(best.map(|(triangles, cost)| Closed { opened, triangles, cost }))
     }
 
     /// Returns the cost of any triangles that close the loops, over the vertices of all loops.
     pub(super) fn cost(&self, triangles: &[[u32; 3]]) -> Result<Cost> {
         let rims = self.rims;
-        let scale = Scale::opened(&rims.all, self.weight, self.measure, &[]);
+        let scale = Scale::for_opened(&rims.all, self.weight, self.measure, &[]);
         let sides = |&[a, b, c]: &[u32; 3]| [[b, c], [c, a], [a, b]];
         let bulge = |[u, v]: [u32; 2]| if rims.is_edge(u, v) { 0.0 } else { scale.bulge_of([u as usize, v as usize]) };
         let mut total = Cost::ZERO;

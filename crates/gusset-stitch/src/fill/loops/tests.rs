@@ -2,7 +2,7 @@
 
 use super::exhaustive::{Exhaustive, is_surface};
 use super::improve::far_tree;
-use super::numbered_rims::{Rims, thin_loops};
+use super::numbered_rims::{NumberedRims, thin_loops};
 use super::opened::cut_open;
 use super::task::Task;
 use super::{close_loops, cost, refine_with_ears, triangulate_together};
@@ -295,7 +295,7 @@ fn nested_planar_loops_are_filled_without_overlaps() {
 }
 
 #[test]
-fn degenerate_loops_come_to_an_end() {
+fn degenerate_loops_terminate() {
     let flat = |points: Vec<DVec3>| {
         let n = points.len();
         Polygon::new(points, vec![DVec3::ZERO; n], vec![DVec3::ZERO; n])
@@ -349,10 +349,15 @@ fn polygons_cost_what_their_surfaces_do() {
     for lengths in [vec![5, 6], two, vec![4, 5, 4], three, vec![6, 4, 5, 7]] {
         let loops = rough(&lengths, 0.1, &mut random);
         let (coarse, kept) = thin_loops(&loops).unwrap().unwrap();
-        let [rims, coarse_rims] = [&loops, &coarse].map(|loops| Rims::new(loops).unwrap());
+        let [rims, coarse_rims] = [&loops, &coarse].map(|loops| NumberedRims::new(loops).unwrap());
         for weight in WEIGHTS {
-            let task =
-                |rims| Task { rims, weight, measure: Rims::measure(rims), taken: NOTHING_TAKEN, is_finest: true };
+            let task = |rims| Task {
+                rims,
+                weight,
+                measure: NumberedRims::measure(rims),
+                taken: NOTHING_TAKEN,
+                is_finest: true,
+            };
             let (task, coarse_task) = (task(&rims), task(&coarse_rims));
             let few = close_loops(&coarse, &coarse_task, &Job::default()).unwrap().unwrap();
             let refined = refine_with_ears(&task, &few, &kept).unwrap().unwrap();

@@ -13,7 +13,7 @@
 //! other's tangent planes. Like the cubic with these tangents, it bulges by b^2 = (h^2 + k^2) / 32
 //! in the middle. A triangle between two meridians has the mean square (b1^2 + b1 b2 + b2^2) / 3.
 //! All lengths are in mean edges of the rims. The weights, and the powers of t and of the length,
-//! were tuned so that strips come nearest to the parts cut out of closed meshes (`make bench
+//! were tuned on parts cut out of closed meshes, which the strips should approximate (`make bench
 //! ONLY=truth`).
 //!
 //! A degenerate triangle counts as perpendicular to its neighbours. All loops over the nodes of a

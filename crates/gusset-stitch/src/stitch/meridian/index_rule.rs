@@ -55,7 +55,7 @@ mod tests {
     }
 
     #[test]
-    fn equals_the_least_distance_for_all_counts_to_200() {
+    fn index_rule_equals_the_least_distance_up_to_200() {
         // The counts 0..=200 cover the open rule up to 201 vertices, and the closed rule up to 200.
         for n in (0..=200u32).rev().step_by(200 / cases(200) as usize) {
             for m in 0..=n {
@@ -66,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn equals_the_closed_form_beyond_32_bits() {
+    fn index_rule_equals_the_closed_form_beyond_32_bits() {
         let (n, m) = (3_000_000u32, 2_999_999u32);
         for (i, j) in index_rule(n, m).enumerate() {
             let (n, m, i) = (u128::from(n), u128::from(m), i as u128);

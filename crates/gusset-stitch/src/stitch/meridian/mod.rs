@@ -2,8 +2,8 @@
 //!
 //! A set of meridians is a list of pairs (i, j) from (0, 0) to (N, M), with i on rim A and j on rim
 //! B. On closed rims (N, M) is the start again. Each pair advances by one vertex on A, on B, or on
-//! both. The list is a path through the lattice of all pairs, and it is the paper's matrix H read
-//! row by row. [`Meridians`] lists the ways to choose it.
+//! both. The list is a path through the lattice of all pairs: the paper's matrix H read row by row.
+//! [`Meridians`] lists the ways to choose it.
 //!
 //! | file | subject |
 //! |---|---|

@@ -216,7 +216,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(cases(256)))]
 
     #[test]
-    fn equals_brute_force(
+    fn meridians_equal_brute_force(
         a in prop::collection::vec(any::<(i8, i8, i8)>(), 3..6),
         b in prop::collection::vec(any::<(i8, i8, i8)>(), 3..6),
         // With a tiny second rim, the best of all paths repeats a meridian.
@@ -335,7 +335,7 @@ proptest! {
     }
 
     #[test]
-    fn open_polylines_of_few_points(
+    fn open_polylines_of_few_points_equal_brute_force(
         a in prop::collection::vec(any::<(i8, i8, i8)>(), 1..4),
         b in prop::collection::vec(any::<(i8, i8, i8)>(), 1..6),
     ) {

@@ -1,7 +1,7 @@
 //! Pairs of rim samples of two pieces.
 
 use super::sample_pairs::{Pair, PairList, PairReport, Placed, SAMPLES_PER_REPORT, STAGE};
-use super::sampled_rim::{MIN_COSINE, Rim};
+use super::sampled_rim::{MIN_COSINE, SampledRim};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::kd_tree::KdTree;
@@ -10,9 +10,9 @@ use gusset_base::job::Job;
 /// Finds the samples of the rims of `a` along the rims of `b`, up to a distance.
 pub(super) fn find_rim_pairs(
     a: &Placed<'_>,
-    rim: &Rim,
+    rim: &SampledRim,
     b: &Placed<'_>,
-    (other, tree): (&Rim, &KdTree<'_>),
+    (other, tree): (&SampledRim, &KdTree<'_>),
     gate: f64,
     reach: f64,
     job: &Job<'_>,
