@@ -44,7 +44,8 @@
  * Errors. A function returns GUSSET_OK or a gusset_status; gusset_context_get_message explains it, and
  * gusset_context_get_report names the element, its index and its value. After an error, output handles are NULL,
  * output structs and numbers are cleared, the content of an output array is unspecified, and nothing else has
- * changed. One exception: BUFFER_TOO_SMALL reports the size needed.
+ * changed. One exception: BUFFER_TOO_SMALL reports the size needed. Reports give outcomes as values of choices, such
+ * as the reason why a hole is left open; gusset_choice_text says what a value means.
  *
  * Comments. @errors lists the statuses of a function without GUSSET_ERROR_; "as f" adds the errors of f. Every
  * function may also return NULL_ARGUMENT, MISALIGNED_ARGUMENT, WRONG_HANDLE, BAD_STRUCT_SIZE, UNKNOWN_VALUE,

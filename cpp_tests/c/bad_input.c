@@ -390,6 +390,10 @@ static void contexts(void) {
     gusset_context_reset(misaligned());
     gusset_context_destroy(NULL);
     CHECK(strcmp(gusset_status_text(123456), "unknown status") == 0);
+    CHECK(strcmp(gusset_choice_text("gusset_hole_status", 123456), "unknown value") == 0);
+    CHECK(strcmp(gusset_choice_text("gusset_hole", GUSSET_HOLE_FILLED), "unknown value") == 0);
+    CHECK(strcmp(gusset_choice_text("\xff", 0), "unknown value") == 0);
+    CHECK(strcmp(gusset_choice_text(NULL, 0), "unknown value") == 0);
 
     EXPECT(GUSSET_OK, gusset_context_create(&other));
     cleared_whatever(misaligned(), GUSSET_ERROR_MISALIGNED_ARGUMENT);

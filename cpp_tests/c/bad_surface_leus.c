@@ -102,7 +102,7 @@ static void regions(gusset_sheet *sheet) {
     EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_sheet_mask_chain(context, sheet, words, SIZE_MAX, from, to, cells, CELLS, &written));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_measure(context, NULL, NULL, 0, &report));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_measure(context, sheet, NULL, 0, NULL));
-    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_sheet_mask_measure(context, sheet, words, 0, &report));
+    EXPECT(GUSSET_ERROR_COUNT_DIFFERS, gusset_sheet_mask_measure(context, sheet, words, 0, &report));
     CHECK(report.cells == 0);
     report.struct_size = 8;
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_sheet_mask_measure(context, sheet, NULL, 0, &report));
@@ -215,7 +215,7 @@ static void figures(gusset_sheet *sheet) {
     EXPECT(GUSSET_OK, gusset_sheet_mask_elements(context, sheet, words, 1, GUSSET_DOMAIN_FACES, cells, CELLS, &written));
     CHECK(written == report.cells && cells[0] == 0 && cells[2] == 0 && cells[3] == 1);
     EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_sheet_mask_elements(context, sheet, words, 1, GUSSET_DOMAIN_FACES, cells, 1, &written));
-    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_sheet_mask_elements(context, sheet, words, 0, GUSSET_DOMAIN_FACES, cells, CELLS, &written));
+    EXPECT(GUSSET_ERROR_COUNT_DIFFERS, gusset_sheet_mask_elements(context, sheet, words, 0, GUSSET_DOMAIN_FACES, cells, CELLS, &written));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_elements(context, NULL, words, 1, GUSSET_DOMAIN_FACES, cells, CELLS, &written));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_elements(context, sheet, NULL, 1, GUSSET_DOMAIN_FACES, cells, CELLS, &written));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_elements(context, sheet, words, 1, GUSSET_DOMAIN_FACES, NULL, CELLS, &written));
@@ -228,7 +228,7 @@ static void figures(gusset_sheet *sheet) {
     EXPECT(GUSSET_OK, gusset_sheet_mask_elements(context, sheet, words, 1, GUSSET_DOMAIN_VERTICES, cells, 4, &written));
     CHECK(written == 4 && cells[0] == 0 && cells[3] == 1 && cells[4] == 1 && cells[7] == 1);
     EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_sheet_mask_elements(context, sheet, words, 1, GUSSET_DOMAIN_VERTICES, cells, 3, &written));
-    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_sheet_mask_elements(context, sheet, words, 0, GUSSET_DOMAIN_VERTICES, cells, 4, &written));
+    EXPECT(GUSSET_ERROR_COUNT_DIFFERS, gusset_sheet_mask_elements(context, sheet, words, 0, GUSSET_DOMAIN_VERTICES, cells, 4, &written));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_elements(context, NULL, words, 1, GUSSET_DOMAIN_VERTICES, cells, 4, &written));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_mask_elements(context, sheet, words, 1, GUSSET_DOMAIN_VERTICES, cells, 4, NULL));
 

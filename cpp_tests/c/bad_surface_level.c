@@ -164,7 +164,7 @@ static void contours(const gusset_surface *surface) {
     EXPECT(GUSSET_OK, gusset_surface_contours_create(context, surface, &function, levels, 2, NULL, &paths));
     CHECK(closed_curves(paths) == 4);
     function.value_count = ROWS * COLUMNS - 1;
-    refused(GUSSET_ERROR_SIZE_OVERFLOW, surface, &function, levels, 2, NULL);
+    refused(GUSSET_ERROR_COUNT_DIFFERS, surface, &function, levels, 2, NULL);
     function.value_count = ROWS * COLUMNS;
     refused(GUSSET_ERROR_OUT_OF_RANGE, surface, &function, same, 2, NULL);
     refused(GUSSET_ERROR_NULL_ARGUMENT, surface, &function, NULL, 2, NULL);

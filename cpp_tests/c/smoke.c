@@ -178,6 +178,11 @@ static int stop_at_once(void *user, double fraction, const char *stage) {
     return 1;
 }
 
+static int stop_at_one(void *user, double fraction, const char *stage) {
+    (void)user, (void)stage;
+    return fraction == 1;
+}
+
 static void ignore(void *user, const char *message) {
     (void)user, (void)message;
 }
@@ -216,6 +221,54 @@ static void context_of_a_call(void) {
     gusset_context_reset(context);
     EXPECT(GUSSET_OK, gusset_boundary_create(context, &mesh, NULL, &boundary));
     gusset_boundary_destroy(boundary);
+    gusset_context_destroy(context);
+}
+
+/* Keeps the last fraction; stops if they decrease. */
+static int keep_fraction(void *user, double fraction, const char *stage) {
+    double *const last = user;
+    const int falls = fraction < *last || fraction > 1 || strlen(stage) == 0;
+    *last = fraction;
+    return falls;
+}
+
+/* Of a success the last report is 1: of new handles, of arrays of the caller's, and of what changes in place. */
+static void progress_ends_at_one(void) {
+    const gusset_mesh_view pieces[2] = {pyramid(pyramid_up), pyramid(pyramid_down)};
+    const double nodes[4][3] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}}, above[3] = {0.5, 0.25, 2};
+    const gusset_nodes grid = gusset_nodes_f64(&nodes[0][0], 2, 2);
+    const gusset_net_view view = gusset_net_points_f64(&nodes[0][0], 2, 2);
+    const gusset_field twist = {.struct_size = sizeof twist, .kind = GUSSET_FIELD_TWIST, .axis = GUSSET_AXIS_Z, .strength = 1};
+    gusset_context *context = NULL;
+    gusset_result *result = NULL;
+    gusset_surface *surface = NULL;
+    gusset_surface_nearest_point nearest;
+    gusset_net *net = NULL;
+    double last = 0;
+
+    EXPECT(GUSSET_OK, gusset_context_create(&context));
+    EXPECT(GUSSET_OK, gusset_surface_from_nodes_create(NULL, &grid, &surface));
+    EXPECT(GUSSET_OK, gusset_net_create(context, &view, NULL, GUSSET_NET_MEMORY_COPY, &net));
+    CHECK(gusset_context_get_progress(context) == 1);
+    EXPECT(GUSSET_OK, gusset_context_set_progress(context, keep_fraction, &last));
+    EXPECT(GUSSET_OK, gusset_join(context, pieces, 2, NULL, &result));
+    CHECK(last == 1);
+    last = 0;
+    EXPECT(GUSSET_OK, gusset_surface_nearest(context, surface, above, 1, NULL, &nearest));
+    CHECK(last == 1 && fabs(nearest.distance - 2) < 1e-9);
+    last = 0;
+    EXPECT(GUSSET_OK, gusset_net_deform(context, net, &twist, 1, 0));
+    CHECK(last == 1);
+    /* Too late to stop; what reports nothing stays silent. */
+    EXPECT(GUSSET_OK, gusset_context_set_progress(context, stop_at_one, NULL));
+    EXPECT(GUSSET_OK, gusset_net_deform(context, net, &twist, 1, 0));
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_surface_nearest(context, surface, above, 1, NULL, &nearest));
+    CHECK(strcmp(gusset_context_get_message(context), "the caller cancelled the call") == 0 && nearest.distance == 0);
+    EXPECT(GUSSET_OK, gusset_context_set_progress(context, stop_at_once, NULL));
+    EXPECT(GUSSET_OK, gusset_net_set_gluing(context, net, NULL));
+    gusset_result_destroy(result);
+    gusset_surface_destroy(surface);
+    gusset_net_destroy(net);
     gusset_context_destroy(context);
 }
 
@@ -280,5 +333,6 @@ int main(void) {
     stitch_arcs();
     tables_and_check();
     context_of_a_call();
+    progress_ends_at_one();
     return failures != 0;
 }

@@ -198,23 +198,25 @@ static inline int torture_choose(size_t value) {
     return 1;
 }
 
-/* Of the call that is tried: the steps that were reported, whether one of them was cancelled, and the blocks in use before it. */
+/* Of the call that is tried: the steps that were reported, the last of them, whether one was cancelled, and the blocks in use before it. */
 static size_t torture_steps;
-static int torture_fired;
+static double torture_fraction;
+static int torture_fired, torture_falls;
 static long long torture_live, torture_bytes, torture_nth;
 /* Whether the call is made again after a failure, and as it was left before the failure, what it changes. */
 static int torture_repeats, torture_failed;
 static uint64_t torture_before;
 
 static inline int torture_step(void *user, double fraction, const char *stage) {
-    (void)fraction, (void)stage;
+    (void)stage;
+    torture_falls |= fraction < torture_fraction, torture_fraction = fraction;
     return torture_fired |= torture_steps++ == *(const size_t *)user;
 }
 
 /* The value-th step is cancelled; the last call of the phase is one that ended before. */
 static inline int torture_cancel_step(size_t value) {
     static size_t at;
-    at = value, torture_steps = 0, torture_fired = 0;
+    at = value, torture_steps = 0, torture_fired = 0, torture_fraction = 0, torture_falls = 0;
     snprintf(torture_told->now, sizeof torture_told->now, "%s: cancelled at step %zu", torture_function, value);
     return torture_context && value < torture_limit("TORTURE_CANCELS", 40) &&
            (gusset_context_set_progress)(torture_context, torture_step, &at) == GUSSET_OK;
@@ -342,6 +344,9 @@ static inline void torture_check(gusset_status status, const gusset_context *con
     if (told->phase == TORTURE_CANCELS && torture_asking) {
         torture_asking->successes += status == GUSSET_OK && !torture_fired;
         torture_asking->asked += torture_steps;
+    }
+    if (told->phase == TORTURE_CANCELS && torture_steps > 0 && (torture_falls || (status == GUSSET_OK && torture_fraction != 1))) {
+        torture_fails("progress decreases, or ends below 1");
     }
     if (status == GUSSET_ERROR_PANIC) torture_fails("a panic");
     if (strcmp((gusset_status_text)(status), "unknown status") == 0) torture_fails("a status that the header does not have");

@@ -103,26 +103,12 @@ static void many_pieces(const Mesh &left, const Mesh &right) {
     //! [assembly]
 
     //! [left]
-    const auto why = [](const gusset_left_loop &loop) -> std::string {
-        switch (loop.reason) {
-        case GUSSET_LEFT_ALONE: return "there is no other loop";
-        case GUSSET_LEFT_NOT_SIMPLE: return "it is open, or the faces along it do not fit together";
-        case GUSSET_LEFT_TOO_SHORT: return "it has fewer than three vertices";
-        case GUSSET_LEFT_NOT_JOINED: return "no strip could be made: see the outcomes of the joints";
-        case GUSSET_LEFT_TOO_FAR:
-            return "a gap of " + std::to_string(loop.gap) + ", and " + std::to_string(loop.allowed_gap) + " is allowed";
-        case GUSSET_LEFT_SAME_COMPONENT: return "all others are of its own component: see within_components";
-        case GUSSET_LEFT_LOOKS_AWAY: return "the nearest one is near, but they do not face each other";
-        case GUSSET_LEFT_TAKEN: return "the nearest one is joined with another";
-        case GUSSET_LEFT_EXCLUDED: return "the nearest one is in excluded";
-        default: return "for a reason of a later version";
-        }
-    };
     gusset::JoinOptions narrow;
     narrow.max_gap = 0.5;
     const gusset::Join apart(pieces, narrow);
     for (const gusset_left_loop &loop : apart.left()) {
-        std::cout << "left, a loop of " << loop.vertices.count << " vertices: " << why(loop) << '\n';
+        const auto reason = static_cast<gusset::LeftReason>(loop.reason);
+        std::cout << "left, a loop of " << loop.vertices.count << " vertices: " << text(reason) << '\n';
     }
     //! [left]
 }

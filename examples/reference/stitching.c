@@ -105,6 +105,13 @@ static void a_hole_filled(void) {
     HOLDS(parts.hole_count == 1 && parts.holes[0].status == GUSSET_HOLE_FILLED);
     HOLDS(filled.face_count == 6 && about(quality.area, 2.0) && quality.loops_left == 0);
     gusset_result_destroy(fill);
+
+    /* A limit leaves the hole open; a text says why. */
+    const gusset_fill_options small = {.struct_size = sizeof small, .max_edges = 3};
+    MUST(gusset_fill(NULL, &mesh, NULL, 0, &small, &fill));
+    MUST(gusset_result_get_fill(fill, &parts));
+    HOLDS(strncmp(gusset_choice_text("gusset_hole_status", parts.holes[0].status), "Left open: it exceeds", 21) == 0);
+    gusset_result_destroy(fill);
 }
 //! [fill]
 

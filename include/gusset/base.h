@@ -65,7 +65,7 @@ enum gusset_status
     /// A handle is of the wrong kind or was destroyed. Detection ends when its memory is used again; other invalid
     /// pointers are not detected.
     GUSSET_ERROR_WRONG_HANDLE = 12,
-    /// The number of inputs, or of values of an input, is wrong.
+    /// The number of inputs, or of elements of an array, is wrong.
     GUSSET_ERROR_COUNT_DIFFERS = 13,
     /// A count exceeds the limit of this version.
     GUSSET_ERROR_TOO_LARGE = 1000,
@@ -171,7 +171,7 @@ typedef uint32_t gusset_element;
 #define GUSSET_ELEMENT_FACE 2
 /// Half-edge: a position in face_corners.
 #define GUSSET_ELEMENT_HALF_EDGE 3
-/// Entry of face_offsets.
+/// Entry of an array of offsets, such as face_offsets or cut_offsets.
 #define GUSSET_ELEMENT_OFFSET 4
 /// Place in a given loop; the report's input is the number of the loop.
 #define GUSSET_ELEMENT_LOOP_PLACE 5
@@ -216,6 +216,13 @@ typedef uint32_t gusset_element;
 /// @complexity O(1).
 GUSSET_API const char *gusset_status_text(int32_t status);
 
+/// Describes a value of a choice in an English sentence, such as the reason why a hole is left open.
+/// @param choice the name of the type, such as "gusset_hole_status".
+/// @param value one of its constants.
+/// @return a static UTF-8 string, never NULL: the first sentence of the constant's comment, or "unknown value".
+/// @complexity O(number of choices).
+GUSSET_API const char *gusset_choice_text(const char *choice, uint32_t value);
+
 /* ---- Contexts: Threads, progress, cancellation, log, and the report of the last error. */
 
 /// Threads, progress, cancellation, log, and the outcome of the last call. One thread uses it at a time, but any thread
@@ -225,7 +232,7 @@ typedef struct gusset_context gusset_context;
 /// Receives the progress of long work, on the calling thread. A nonzero return cancels this call only, unlike
 /// gusset_context_cancel. The callback must not throw or longjmp, or use the context, except gusset_context_cancel and
 /// gusset_context_get_progress.
-/// - fraction: the part done, 0 to 1.
+/// - fraction: the part done, 0 to 1, never decreasing. If the call succeeds, the last report is 1.
 /// - stage: the current work; valid during the callback.
 typedef int (*gusset_progress_fn)(void *user, double fraction, const char *stage);
 

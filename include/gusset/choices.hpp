@@ -662,6 +662,108 @@ enum class FrameSurface : uint32_t { nodes = GUSSET_FRAME_NODES, curves = GUSSET
 /// Direction of a coordinate curve of a sheet. See ::gusset_sheet_direction.
 enum class SheetDirection : uint32_t { rows = GUSSET_ALONG_ROWS, columns = GUSSET_ALONG_COLUMNS };
 
+/// @cond
+constexpr const char *choice_name(ConstraintKind) { return "gusset_constraint_kind"; }
+constexpr const char *choice_name(CurveKind) { return "gusset_curve_kind"; }
+constexpr const char *choice_name(SectionMethod) { return "gusset_section_method"; }
+constexpr const char *choice_name(ParameterLock) { return "gusset_parameter_lock"; }
+constexpr const char *choice_name(JointParameter) { return "gusset_joint_parameter"; }
+constexpr const char *choice_name(OutlineSolver) { return "gusset_outline_solver"; }
+constexpr const char *choice_name(OutlineEnds) { return "gusset_outline_ends"; }
+constexpr const char *choice_name(PointStatus) { return "gusset_point_status"; }
+constexpr const char *choice_name(FitStatus) { return "gusset_fit_status"; }
+constexpr const char *choice_name(SampleRule) { return "gusset_sample_rule"; }
+constexpr const char *choice_name(CurveFormat) { return "gusset_curve_format"; }
+constexpr const char *choice_name(CorrespondenceRule) { return "gusset_correspondence_rule"; }
+constexpr const char *choice_name(OffsetDirection) { return "gusset_offset_direction"; }
+constexpr const char *choice_name(Scalar) { return "gusset_scalar"; }
+constexpr const char *choice_name(Index) { return "gusset_index"; }
+constexpr const char *choice_name(Welding) { return "gusset_welding"; }
+constexpr const char *choice_name(Gap) { return "gusset_gap"; }
+constexpr const char *choice_name(Overlaps) { return "gusset_overlaps"; }
+constexpr const char *choice_name(JointOutcome) { return "gusset_joint_outcome"; }
+constexpr const char *choice_name(LeftReason) { return "gusset_left_reason"; }
+constexpr const char *choice_name(Meridians) { return "gusset_meridians"; }
+constexpr const char *choice_name(StripSearch) { return "gusset_strip_search"; }
+constexpr const char *choice_name(StripStart) { return "gusset_strip_start"; }
+constexpr const char *choice_name(Fairing) { return "gusset_fairing"; }
+constexpr const char *choice_name(Intersections) { return "gusset_intersections"; }
+constexpr const char *choice_name(Orientation) { return "gusset_orientation"; }
+constexpr const char *choice_name(StitchExtent) { return "gusset_stitch_extent"; }
+constexpr const char *choice_name(FacingRun) { return "gusset_facing_run"; }
+constexpr const char *choice_name(Centres) { return "gusset_centres"; }
+constexpr const char *choice_name(RowRule) { return "gusset_row_rule"; }
+constexpr const char *choice_name(StripCells) { return "gusset_strip_cells"; }
+constexpr const char *choice_name(Finish) { return "gusset_finish"; }
+constexpr const char *choice_name(ToleranceMode) { return "gusset_tolerance_mode"; }
+constexpr const char *choice_name(Outward) { return "gusset_outward"; }
+constexpr const char *choice_name(FillKeep) { return "gusset_fill_keep"; }
+constexpr const char *choice_name(FillTogether) { return "gusset_fill_together"; }
+constexpr const char *choice_name(FillRefinement) { return "gusset_fill_refinement"; }
+constexpr const char *choice_name(FillContinuity) { return "gusset_fill_continuity"; }
+constexpr const char *choice_name(FillWeight) { return "gusset_fill_weight"; }
+constexpr const char *choice_name(PatchFinish) { return "gusset_patch_finish"; }
+constexpr const char *choice_name(HoleStatus) { return "gusset_hole_status"; }
+constexpr const char *choice_name(WeldVertices) { return "gusset_weld_vertices"; }
+constexpr const char *choice_name(Collapse) { return "gusset_collapse"; }
+constexpr const char *choice_name(Unused) { return "gusset_unused"; }
+constexpr const char *choice_name(AlignmentStart) { return "gusset_alignment_start"; }
+constexpr const char *choice_name(AlignedReason) { return "gusset_aligned_reason"; }
+constexpr const char *choice_name(NonManifold) { return "gusset_non_manifold"; }
+constexpr const char *choice_name(Survey) { return "gusset_survey"; }
+constexpr const char *choice_name(DefectKind) { return "gusset_defect_kind"; }
+constexpr const char *choice_name(Distortion) { return "gusset_distortion"; }
+constexpr const char *choice_name(ChartFinish) { return "gusset_chart_finish"; }
+constexpr const char *choice_name(CutKind) { return "gusset_cut_kind"; }
+constexpr const char *choice_name(Domain) { return "gusset_domain"; }
+constexpr const char *choice_name(ValueType) { return "gusset_value_type"; }
+constexpr const char *choice_name(Rule) { return "gusset_rule"; }
+constexpr const char *choice_name(NetMemory) { return "gusset_net_memory"; }
+constexpr const char *choice_name(GluingKind) { return "gusset_gluing_kind"; }
+constexpr const char *choice_name(GluingType) { return "gusset_gluing_type"; }
+constexpr const char *choice_name(GluingPlace) { return "gusset_gluing_place"; }
+constexpr const char *choice_name(NetShape) { return "gusset_net_shape"; }
+constexpr const char *choice_name(BoxKind) { return "gusset_box_kind"; }
+constexpr const char *choice_name(Axis) { return "gusset_axis"; }
+constexpr const char *choice_name(OperationKind) { return "gusset_operation_kind"; }
+constexpr const char *choice_name(FieldKind) { return "gusset_field_kind"; }
+constexpr const char *choice_name(Easing) { return "gusset_easing"; }
+constexpr const char *choice_name(NetFaces) { return "gusset_net_faces"; }
+constexpr const char *choice_name(GridCells) { return "gusset_grid_cells"; }
+constexpr const char *choice_name(Direction) { return "gusset_direction"; }
+constexpr const char *choice_name(Replication) { return "gusset_replication"; }
+constexpr const char *choice_name(NetTurn) { return "gusset_net_turn"; }
+constexpr const char *choice_name(Interpolation) { return "gusset_interpolation"; }
+constexpr const char *choice_name(BridgeMode) { return "gusset_bridge_mode"; }
+constexpr const char *choice_name(BridgeKind) { return "gusset_bridge_kind"; }
+constexpr const char *choice_name(NetCells) { return "gusset_net_cells"; }
+constexpr const char *choice_name(MorphPath) { return "gusset_morph_path"; }
+constexpr const char *choice_name(NetFindingKind) { return "gusset_net_finding_kind"; }
+constexpr const char *choice_name(ReferenceObject) { return "gusset_reference_object"; }
+constexpr const char *choice_name(Winding) { return "gusset_winding"; }
+constexpr const char *choice_name(SceneEntryKind) { return "gusset_scene_entry_kind"; }
+constexpr const char *choice_name(Visibility) { return "gusset_visibility"; }
+constexpr const char *choice_name(Element) { return "gusset_element"; }
+constexpr const char *choice_name(StreamMode) { return "gusset_stream_mode"; }
+constexpr const char *choice_name(ContactKind) { return "gusset_contact_kind"; }
+constexpr const char *choice_name(Scheme) { return "gusset_scheme"; }
+constexpr const char *choice_name(Twists) { return "gusset_twists"; }
+constexpr const char *choice_name(NormalKind) { return "gusset_normal_kind"; }
+constexpr const char *choice_name(HitSelection) { return "gusset_hit_selection"; }
+constexpr const char *choice_name(HitKind) { return "gusset_hit_kind"; }
+constexpr const char *choice_name(SpacingRule) { return "gusset_spacing_rule"; }
+constexpr const char *choice_name(ContourKind) { return "gusset_contour_kind"; }
+constexpr const char *choice_name(TargetKind) { return "gusset_target_kind"; }
+constexpr const char *choice_name(FrameSurface) { return "gusset_frame_surface"; }
+constexpr const char *choice_name(SheetDirection) { return "gusset_sheet_direction"; }
+/// @endcond
+
+/// Describes a value of a choice in a sentence. See ::gusset_choice_text.
+template <class Choice>
+auto text(Choice value) -> decltype(choice_name(value)) {
+    return gusset_choice_text(choice_name(value), static_cast<uint32_t>(value));
+}
+
 } // namespace gusset
 
 #endif

@@ -623,6 +623,7 @@ typedef struct gusset_field {
 } gusset_field;
 
 /// Moves all nodes of a net by a chain of fields, in the given order.
+/// - For a map of your own, write to the coordinates that gusset_net_edit lends, then call gusset_net_glue with snap.
 /// - Computation is in double precision; coordinates are rounded once.
 /// - Fields of strength 0 change no bit.
 /// - Glued nodes with equal bits keep equal bits. Missing nodes stay missing.
@@ -1375,7 +1376,7 @@ typedef struct gusset_planarise_report {
 /// Moves the nodes of a net until all cells are planar, with locally least squared displacement.
 /// Glued nodes stay one point. Absent cells and cells of fewer than four corners do not count. Failure to converge is
 /// not an error.
-/// @errors OUT_OF_RANGE (tolerance), SIZE_OVERFLOW (fixed_count too small)
+/// @errors OUT_OF_RANGE (tolerance), COUNT_DIFFERS (fixed_count too small)
 /// @complexity For each step O(n^1.5) time and O(n log n) memory for n cells.
 /// @threads It uses one thread.
 /// @source Deryagin, "Closures"; Liu et al. 2006.
@@ -1441,7 +1442,7 @@ typedef struct gusset_settle_report {
 /// - elasticity / 2 (l - r)^2 / r for each link of length l and rest length r.
 /// - stiffness / 2 h^3 times squared second differences, h the mean rest length. Lines leave parts in the parts'
 ///   direction.
-/// @errors SIZE_OVERFLOW (free_count too small), SIDES_DIFFER (reference of another size), OUT_OF_RANGE (tolerance,
+/// @errors COUNT_DIFFERS (free_count too small), SIDES_DIFFER (reference of another size), OUT_OF_RANGE (tolerance,
 ///     rest_ratio; a negative, NaN or infinite property, with the bridge), NO_SUCH_ELEMENT (overlapping bridges)
 /// @complexity O(nodes), and for each step O(n^1.5) time and O(n log n) memory for n inner nodes.
 /// @threads It uses one thread.

@@ -38,7 +38,7 @@ struct gusset_sheet;
 /// @param cells receives row and column of each cell, from and to included. NULL with capacity 0: only the size.
 /// @param capacity in cells.
 /// @param written receives the number of cells; 0 if no chain exists.
-/// @errors SIZE_OVERFLOW (too few words), NO_SUCH_ELEMENT (cell), BUFFER_TOO_SMALL
+/// @errors COUNT_DIFFERS (too few words), NO_SUCH_ELEMENT (cell), BUFFER_TOO_SMALL
 /// @complexity O(cells).
 /// @source Leus, eq. (3).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_mask_chain(const struct gusset_context *context,
@@ -59,7 +59,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_mask_measure(const struct 
 /// @param elements receives row and column of each element. NULL with capacity 0: only the size.
 /// @param capacity in elements.
 /// @param written receives the number of elements.
-/// @errors SIZE_OVERFLOW (too few words), BUFFER_TOO_SMALL
+/// @errors COUNT_DIFFERS (too few words), BUFFER_TOO_SMALL
 /// @complexity O(cells / 64 + cells listed); O(nodes) for nodes.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_mask_elements(const struct gusset_context *context,
     const struct gusset_sheet *sheet, const uint64_t *words, size_t count, gusset_domain domain, uint32_t *elements,

@@ -549,8 +549,8 @@ typedef struct gusset_nearest_angle_report {
 /// - Poles that may have the angle are unresolved.
 /// - Angles are accurate to third order; GUSSET_CONTOUR_VALUES of their cosines, to fourth.
 /// @param levels rising values of the function; angles from 0 to pi, or to pi / 2 for unsigned normals.
-/// @errors OUT_OF_RANGE (non-finite numbers, zero direction, levels not rising, angle, chord, points, too few values),
-///     TOO_LARGE (too many values; 2^32 points), NOT_FINITE (value)
+/// @errors OUT_OF_RANGE (non-finite numbers, zero direction, levels not rising, angle, chord, points), COUNT_DIFFERS
+///     (too few values), TOO_LARGE (too many values; 2^32 points), NOT_FINITE (value)
 /// @complexity About O(count + crossed cells), parallel; O(values) for values; O(cells) once for angles.
 /// @source Leus, "Carcasses on smooth surfaces", tasks b and d.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_contours_create(const struct gusset_context *context,

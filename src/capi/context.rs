@@ -7,7 +7,7 @@ use super::host::{Callbacks, Host, Watch};
 use super::input::{self, Versioned};
 use super::status::{Failure, gusset_element, gusset_status, text};
 use crate::error::Error;
-use crate::job::Job;
+use crate::job::{Job, Progress};
 use gusset_base::reserve;
 use std::borrow::Cow;
 use std::ffi::{CStr, CString, c_char, c_int, c_void};
@@ -29,7 +29,7 @@ handle! { gusset_context }
 /// call only, unlike gusset_context_cancel.
 /// The callback must not throw or longjmp, or use the context, except gusset_context_cancel and
 /// gusset_context_get_progress.
-/// - fraction: the part done, 0 to 1.
+/// - fraction: the part done, 0 to 1, never decreasing. If the call succeeds, the last report is 1.
 /// - stage: the current work; valid during the callback.
 pub type gusset_progress_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, fraction: f64, stage: *const c_char) -> c_int>;
@@ -107,18 +107,19 @@ pub(crate) fn guard(
     context: *const gusset_context,
     body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
 ) -> gusset_status {
-    guard_change(context, |job| with_memory(body, job))
+    guard_change(context, |job| finished(body, job))
 }
 
-/// What `body` gives, unless memory was taken from the reserve for it.
-fn with_memory<T>(body: impl FnOnce(&Job<'_>) -> Result<T, Failure>, job: &Job<'_>) -> Result<T, Failure> {
+/// What `body` gives, unless memory was taken from the reserve for it or the host cancels.
+fn finished<T>(body: impl FnOnce(&Job<'_>) -> Result<T, Failure>, job: &Job<'_>) -> Result<T, Failure> {
     let made = body(job)?;
-    job.memory()?;
+    job.finish()?;
     Ok(made)
 }
 
 /// [`guard`] for a `body` that changes what the caller has, writes to its outputs, or makes
-/// handles: what is done is done, and it asks for the job's memory itself, before that.
+/// handles: before that, it calls [`Job::finish`] itself, or [`Job::memory`] if it reports while it
+/// changes things.
 pub(crate) fn guard_change(
     context: *const gusset_context,
     body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
@@ -142,6 +143,10 @@ fn run_guarded(context: *const gusset_context, body: &mut dyn FnMut(&Job<'_>) ->
             // A cancel that came before the call holds for it, however short it is.
             if context.watch.cancelled.load(Ordering::Relaxed) { Err(Error::Cancelled.into()) } else { body(&job) }
         });
+        if outcome.is_ok() {
+            // Too late to cancel a body that changed things while it reported.
+            let _ = host.finish();
+        }
         Ok(state.record(outcome))
     });
     outcome.unwrap_or_else(|failure: Failure| failure.status)
@@ -160,7 +165,7 @@ pub(crate) fn answer<T>(
     guard_change(context, |job| {
         // First of all: there must be a place for the result.
         let slot = slot?;
-        *slot = with_memory(body, job)?;
+        *slot = finished(body, job)?;
         Ok(())
     })
 }
@@ -175,7 +180,7 @@ pub(crate) fn answer_optional<T>(
     let slot = input::optional_output(out, cleared, name);
     guard_change(context, |job| {
         let slot = slot?;
-        input::set(slot, with_memory(body, job)?);
+        input::set(slot, finished(body, job)?);
         Ok(())
     })
 }
@@ -189,7 +194,7 @@ pub(crate) fn answer_struct<T: Versioned>(
     let out = input::output_struct(out, name);
     guard_change(context, |job| {
         let out = out?;
-        out.write(with_memory(body, job)?);
+        out.write(finished(body, job)?);
         Ok(())
     })
 }
@@ -217,7 +222,7 @@ pub(crate) fn create_and_tell<T: Handle, U>(
     guard_change(context, |job| {
         let slot = slot?;
         let boxed = |job: &Job<'_>| body(job).map(|(made, told)| (handle::boxed(made), told));
-        let (made, told) = with_memory(boxed, job)?;
+        let (made, told) = finished(boxed, job)?;
         tell(told);
         *slot = handle::give(made);
         Ok(())

@@ -37,13 +37,15 @@ pub(crate) struct Host<'a> {
     callbacks: Callbacks,
     /// The callback asked to stop: this call is over, whatever it does next.
     stopped: Cell<bool>,
+    /// The stage of the last report; none before the first.
+    stage: Cell<Option<&'static str>>,
 }
 
 impl<'a> Host<'a> {
     /// The host of a call that begins.
     pub(crate) fn new(watch: &'a Watch, callbacks: Callbacks) -> Self {
         watch.fraction.store(0, Ordering::Relaxed);
-        Host { watch, callbacks, stopped: Cell::new(false) }
+        Host { watch, callbacks, stopped: Cell::new(false), stage: Cell::new(None) }
     }
 }
 
@@ -51,6 +53,7 @@ impl Progress for Host<'_> {
     fn step(&self, fraction: f64, stage: &'static str) -> ControlFlow<()> {
         let fraction = fraction.max(self.watch.fraction());
         self.watch.fraction.store(fraction.to_bits(), Ordering::Relaxed);
+        self.stage.set(Some(stage));
         if let Some(callback) = self.callbacks.progress
             && !self.stopped.get()
         {
@@ -67,6 +70,18 @@ impl Progress for Host<'_> {
             ControlFlow::Break(())
         } else {
             ControlFlow::Continue(())
+        }
+    }
+
+    /// Reports 1 once. A call that has reported nothing stays silent.
+    fn finish(&self) -> ControlFlow<()> {
+        let is_reported = self.watch.fraction() >= 1.0;
+        match self.stage.get() {
+            Some(stage) if !is_reported => self.step(1.0, stage),
+            _ => {
+                self.watch.fraction.store(1.0_f64.to_bits(), Ordering::Relaxed);
+                ControlFlow::Continue(())
+            }
         }
     }
 

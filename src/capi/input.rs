@@ -194,7 +194,7 @@ pub(crate) fn fill<T: bytemuck::Pod, I: IntoIterator<Item = T>>(
     make: impl FnOnce() -> Result<I, Failure>,
 ) -> Result<(), Failure> {
     if buffer.is_null() && capacity == 0 {
-        job.memory()?;
+        job.finish()?;
         *written = needed;
         return Ok(());
     }
@@ -204,7 +204,7 @@ pub(crate) fn fill<T: bytemuck::Pod, I: IntoIterator<Item = T>>(
         return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
     }
     let (out, made) = (results(buffer, needed, name)?, make()?);
-    job.memory()?;
+    job.finish()?;
     out.iter_mut().zip(made).for_each(|(to, from)| *to = from);
     *written = needed;
     Ok(())

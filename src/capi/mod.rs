@@ -29,6 +29,7 @@
 #![allow(rustdoc::broken_intra_doc_links, reason = "the comments are written for C, where brackets index arrays")]
 #![allow(clippy::missing_safety_doc, reason = "each C function documents its pointers in C's terms")]
 
+mod choice_text;
 pub mod context;
 pub mod curve;
 mod glue;

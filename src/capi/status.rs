@@ -1,12 +1,14 @@
 //! Statuses: Results of functions. 1 to 999 are mistakes of the caller, 1000 to 1999 faults of the
 //! data, 2000 to 2999 failures of the environment. A number never changes its meaning.
 //!
-//! The first sentence of each comment is the text of its status too: see `status_text.rs`. Each
-//! error of the core becomes a code with an element in one place, `From<Error>`.
+//! The first sentence of each comment is the text of its status or choice too: see `status_text.rs`
+//! and `choice_text.rs`. Each error of the core becomes a code with an element in one place,
+//! `From<Error>`.
 
+use super::choice_text::TEXTS;
 use crate::error::{Element, Error, PairFault, Side};
 use std::borrow::Cow;
-use std::ffi::c_char;
+use std::ffi::{CStr, c_char};
 
 pub(super) use super::status_text::text;
 
@@ -43,7 +45,7 @@ pub enum gusset_status {
     /// A handle is of the wrong kind or was destroyed. Detection ends when its memory is used
     /// again; other invalid pointers are not detected.
     GUSSET_ERROR_WRONG_HANDLE = 12,
-    /// The number of inputs, or of values of an input, is wrong.
+    /// The number of inputs, or of elements of an array, is wrong.
     GUSSET_ERROR_COUNT_DIFFERS = 13,
     /// A count exceeds the limit of this version.
     GUSSET_ERROR_TOO_LARGE = 1000,
@@ -145,7 +147,7 @@ pub const GUSSET_ELEMENT_VERTEX: gusset_element = 1;
 pub const GUSSET_ELEMENT_FACE: gusset_element = 2;
 /// Half-edge: a position in face_corners.
 pub const GUSSET_ELEMENT_HALF_EDGE: gusset_element = 3;
-/// Entry of face_offsets.
+/// Entry of an array of offsets, such as face_offsets or cut_offsets.
 pub const GUSSET_ELEMENT_OFFSET: gusset_element = 4;
 /// Place in a given loop; the report's input is the number of the loop.
 pub const GUSSET_ELEMENT_LOOP_PLACE: gusset_element = 5;
@@ -275,7 +277,9 @@ impl From<Error> for Failure {
         let failure = match error {
             TooLarge { count: n, limit, .. } => Failure { value: limit as f64, ..count(GUSSET_ERROR_TOO_LARGE, n) },
             SizeOverflow { count: n, .. } => count(GUSSET_ERROR_SIZE_OVERFLOW, n),
-            ArrayTooShort { needed, .. } => count(GUSSET_ERROR_SIZE_OVERFLOW, needed),
+            ArrayTooShort { needed, given, .. } => {
+                Failure { value: needed as f64, ..count(GUSSET_ERROR_COUNT_DIFFERS, given) }
+            }
             StrideTooSmall { stride, .. } => count(GUSSET_ERROR_BAD_STRIDE, stride),
             EmptyMesh { .. } => plain(GUSSET_ERROR_EMPTY_MESH, 0.0),
             BadOffsets { entry, value } => at(GUSSET_ERROR_BAD_OFFSETS, GUSSET_ELEMENT_OFFSET, entry, value.into()),
@@ -385,4 +389,22 @@ impl From<Error> for Failure {
 #[unsafe(no_mangle)]
 pub extern "C" fn gusset_status_text(status: i32) -> *const c_char {
     text(status).as_ptr()
+}
+
+/// Describes a value of a choice in an English sentence, such as the reason why a hole is left open.
+///
+/// @param choice the name of the type, such as "gusset_hole_status".
+/// @param value one of its constants.
+/// @return a static UTF-8 string, never NULL: the first sentence of the constant's comment, or "unknown
+///     value".
+/// @complexity O(number of choices).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_choice_text(choice: *const c_char, value: u32) -> *const c_char {
+    let of_choice = || {
+        // SAFETY: the caller gives a text that ends with a NUL, or NULL.
+        let choice = (!choice.is_null()).then(|| unsafe { CStr::from_ptr(choice) })?.to_str().ok()?;
+        let (_, texts) = TEXTS.iter().find(|(name, _)| *name == choice)?;
+        texts.iter().find(|(constant, _)| *constant == value).map(|(_, text)| *text)
+    };
+    of_choice().unwrap_or(c"unknown value").as_ptr()
 }

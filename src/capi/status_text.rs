@@ -18,7 +18,7 @@ pub(super) fn text(status: i32) -> &'static CStr {
         10 => c"exactly one of face_offsets and face_size must be given",
         11 => c"an output array overlaps another array",
         12 => c"a handle is of the wrong kind or was destroyed",
-        13 => c"the number of inputs, or of values of an input, is wrong",
+        13 => c"the number of inputs, or of elements of an array, is wrong",
         1000 => c"a count exceeds the limit of this version",
         1001 => c"an array exceeds the address space",
         1002 => c"a mesh lacks vertices or faces, or no mesh was given",

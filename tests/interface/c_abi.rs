@@ -4,7 +4,8 @@
 //! symbols.
 
 use gusset_interface::source::Kind;
-use std::ffi::CStr;
+use std::collections::BTreeSet;
+use std::ffi::{CStr, CString};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
@@ -50,8 +51,9 @@ fn the_committed_headers_are_the_generated_ones() {
         let alone = path == "include/gusset_plugin.h";
         assert!(alone || page.contains(path.trim_start_matches("include/")), "{path}");
     }
-    let (path, text) = gusset_interface::status_texts(root).unwrap();
-    committed(&path, &text);
+    for (path, text) in gusset_interface::library_texts(root).unwrap() {
+        committed(&path, &text);
+    }
 }
 
 #[test]
@@ -87,6 +89,34 @@ fn every_status_has_a_text_of_its_own() {
     texts.sort_unstable();
     texts.dedup();
     assert_eq!(texts.len(), numbers.len());
+}
+
+#[test]
+fn every_constant_of_a_choice_has_a_text_of_its_own() {
+    #[allow(unsafe_code)]
+    let text = |choice: &str, value: u32| {
+        let choice = CString::new(choice).unwrap();
+        // SAFETY: a text that ends with a NUL; the function returns a static string.
+        unsafe { CStr::from_ptr(gusset::capi::status::gusset_choice_text(choice.as_ptr(), value)) }.to_str().unwrap()
+    };
+    // Those of the header, which cbindgen wrote.
+    let header = headers();
+    let mut count = 0;
+    for choice in header.lines().filter_map(|line| line.strip_prefix("typedef uint32_t ")?.strip_suffix(';')) {
+        let (_, after) = header.split_once(&format!("typedef uint32_t {choice};\n")).unwrap();
+        let block = after.split("\n\n").next().unwrap();
+        let defined = block.lines().filter_map(|line| line.strip_prefix("#define GUSSET_")?.rsplit_once(' '));
+        // A value may have two names.
+        let values: BTreeSet<u32> = defined.filter_map(|(_, value)| value.parse().ok()).collect();
+        let texts: BTreeSet<&str> = values.iter().map(|&value| text(choice, value)).collect();
+        assert!(!texts.contains("unknown value") && texts.iter().all(|text| text.len() >= 2), "{choice}: {texts:?}");
+        assert_eq!(texts.len(), values.len(), "{choice}");
+        count += values.len();
+    }
+    assert!(count > 300, "{count}");
+    assert_eq!(text("gusset_left_reason", 0), "It is the only loop.");
+    assert_eq!(text("gusset_left_reason", 99), "unknown value");
+    assert_eq!(text("gusset_left", 0), "unknown value");
 }
 
 /// Cargo puts the C libraries where this test program is.

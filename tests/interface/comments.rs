@@ -93,3 +93,21 @@ fn every_exported_name_is_in_an_example() {
         assert!(guides.contains(symbol), "{symbol}");
     }
 }
+
+/// A host of the plugin has no other header to look them up in.
+#[test]
+fn the_plugin_names_every_kind_of_element() {
+    let header = |name: &str| fs::read_to_string(Path::new(ROOT).join("include").join(name)).unwrap();
+    let plugin = header("gusset_plugin.h").replace("\n    ///", "");
+    let (_, list) = plugin.split_once("Kind of element, GUSSET_ELEMENT_... of gusset.h: ").unwrap();
+    let (list, _) = list.split_once(". Later versions").unwrap();
+    let base = header("gusset/base.h");
+    let kinds: Vec<&str> = base
+        .lines()
+        .filter_map(|line| Some(line.strip_prefix("#define GUSSET_ELEMENT_")?.split_once(' ')?.1))
+        .collect();
+    assert!(kinds.len() > 20);
+    let listed: Vec<&str> = list.split(", ").filter_map(|entry| Some(entry.split_once(' ')?.0)).collect();
+    let missing: Vec<_> = kinds.iter().filter(|kind| !listed.contains(kind)).collect();
+    assert!(missing.is_empty(), "{missing:?} are not in {listed:?}");
+}

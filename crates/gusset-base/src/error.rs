@@ -368,7 +368,7 @@ pub enum Error {
     #[error("{bytes} bytes of memory could not be had")]
     OutOfMemory { bytes: u64 },
     /// The host asked to stop.
-    #[error("cancelled by the host")]
+    #[error("the caller cancelled the call")]
     Cancelled,
 }
 

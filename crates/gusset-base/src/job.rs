@@ -14,6 +14,11 @@ pub trait Progress {
     /// soon after.
     fn step(&self, fraction: f64, stage: &'static str) -> ControlFlow<()>;
 
+    /// The computation is complete, and its results are about to be handed over. `Break` cancels.
+    fn finish(&self) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+
     /// Something the caller may want to know that is no failure.
     fn note(&self, _message: &str) {}
 }
@@ -79,11 +84,18 @@ impl<'a> Job<'a> {
     pub fn report(&self, fraction: f64, stage: &'static str) -> Result<()> {
         // Of nothing to do, the part that is done may be no number.
         let fraction = if fraction.is_nan() { 0.0 } else { fraction.clamp(0.0, 1.0) };
-        let whole = self.from + (self.to - self.from) * fraction;
-        match self.progress.step(whole, stage) {
-            ControlFlow::Continue(()) => Ok(()),
-            ControlFlow::Break(()) => Err(Error::Cancelled),
-        }
+        answer(self.progress.step(self.from + (self.to - self.from) * fraction, stage))
+    }
+
+    /// Tells the host that the computation is complete. To be called after the last step, before
+    /// anything is changed that the caller has.
+    ///
+    /// # Errors
+    ///
+    /// As [`Job::step`].
+    pub fn finish(&self) -> Result<()> {
+        self.memory()?;
+        answer(self.progress.finish())
     }
 
     /// [`Error::OutOfMemory`] if any thread has taken memory from the reserve since the job began.
@@ -134,6 +146,13 @@ impl<'a> Job<'a> {
     /// Passes a note to the host.
     pub fn note(&self, message: &str) {
         self.progress.note(message);
+    }
+}
+
+fn answer(given: ControlFlow<()>) -> Result<()> {
+    match given {
+        ControlFlow::Continue(()) => Ok(()),
+        ControlFlow::Break(()) => Err(Error::Cancelled),
     }
 }
 

@@ -153,7 +153,7 @@ pub unsafe extern "C" fn gusset_net_histogram(
         let [nodes, cells] = outputs;
         let (nodes, cells) = (nodes?, cells?);
         let histogram = crate::net::topology::histogram(read(net)?.topology(), job)?;
-        job.memory()?;
+        job.finish()?;
         nodes.copy_from_slice(&histogram.nodes[..nodes.len()]);
         cells.copy_from_slice(&histogram.cells[..cells.len()]);
         Ok(())

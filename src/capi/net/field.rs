@@ -195,6 +195,8 @@ impl gusset_field {
 
 /// Moves all nodes of a net by a chain of fields, in the given order.
 ///
+/// - For a map of your own, write to the coordinates that gusset_net_edit lends, then call
+///   gusset_net_glue with snap.
 /// - Computation is in double precision; coordinates are rounded once.
 /// - Fields of strength 0 change no bit.
 /// - Glued nodes with equal bits keep equal bits. Missing nodes stay missing.

@@ -199,7 +199,7 @@ pub unsafe extern "C" fn gusset_net_split_create(
             return Err(Failure::new(GUSSET_ERROR_OVERLAP, "first and second are the same place"));
         }
         let parts = read(net)?.split(bridge, job)?.map(|part| handle::boxed(gusset_net::new(part)));
-        job.memory()?;
+        job.finish()?;
         [*first, *second] = parts.map(handle::give);
         Ok(())
     })

@@ -63,7 +63,7 @@ versioned! { gusset_planarise_options: 40, gusset_planarise_report: 72 }
 /// Glued nodes stay one point. Absent cells and cells of fewer than four corners do not count.
 /// Failure to converge is not an error.
 ///
-/// @errors OUT_OF_RANGE (tolerance), SIZE_OVERFLOW (fixed_count too small)
+/// @errors OUT_OF_RANGE (tolerance), COUNT_DIFFERS (fixed_count too small)
 /// @complexity For each step O(n^1.5) time and O(n log n) memory for n cells.
 /// @threads It uses one thread.
 /// @source Deryagin, "Closures"; Liu et al. 2006.

@@ -119,7 +119,7 @@ pub unsafe extern "C" fn gusset_net_pyramid_create(
         let (count, slots) = (count?, slots?);
         let made = pyramid(read(net)?, choice(interpolation)?, job)?;
         let made = alloc::collect(made.into_iter().map(|level| handle::boxed(gusset_net::new(level))))?;
-        job.memory()?;
+        job.finish()?;
         *count = made.len();
         if capacity < made.len() {
             return Err(Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, "levels is too small"));

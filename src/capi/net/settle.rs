@@ -82,7 +82,7 @@ versioned! { gusset_settle_options: 56 reserved, gusset_settle_report: 80 }
 /// - stiffness / 2 h^3 times squared second differences, h the mean rest length. Lines leave parts
 ///   in the parts' direction.
 ///
-/// @errors SIZE_OVERFLOW (free_count too small), SIDES_DIFFER (reference of another size),
+/// @errors COUNT_DIFFERS (free_count too small), SIDES_DIFFER (reference of another size),
 ///     OUT_OF_RANGE (tolerance, rest_ratio; a negative, NaN or infinite property, with the bridge),
 ///     NO_SUCH_ELEMENT (overlapping bridges)
 /// @complexity O(nodes), and for each step O(n^1.5) time and O(n log n) memory for n inner nodes.

@@ -61,7 +61,7 @@ fn cell(pointer: *const u32, name: &'static str) -> Result<[usize; 2], Failure> 
 ///     only the size.
 /// @param capacity in cells.
 /// @param written receives the number of cells; 0 if no chain exists.
-/// @errors SIZE_OVERFLOW (too few words), NO_SUCH_ELEMENT (cell), BUFFER_TOO_SMALL
+/// @errors COUNT_DIFFERS (too few words), NO_SUCH_ELEMENT (cell), BUFFER_TOO_SMALL
 /// @complexity O(cells).
 /// @source Leus, eq. (3).
 #[unsafe(no_mangle)]
@@ -125,7 +125,7 @@ pub unsafe extern "C" fn gusset_sheet_mask_measure(
 /// @param elements receives row and column of each element. NULL with capacity 0: only the size.
 /// @param capacity in elements.
 /// @param written receives the number of elements.
-/// @errors SIZE_OVERFLOW (too few words), BUFFER_TOO_SMALL
+/// @errors COUNT_DIFFERS (too few words), BUFFER_TOO_SMALL
 /// @complexity O(cells / 64 + cells listed); O(nodes) for nodes.
 #[unsafe(no_mangle)]
 #[must_use]

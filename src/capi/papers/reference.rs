@@ -284,7 +284,7 @@ pub unsafe extern "C" fn gusset_sheet_normals_by_sections(
     let out = input::cleared(normals.cast::<[f64; 3]>(), count, "normals");
     guard_change(context, |job| {
         let (out, sheet, places) = (out?, read(sheet)?, surface_places(places, count)?);
-        let done = normals_at(sheet, &places, out, job).and_then(|()| Ok(job.memory()?));
+        let done = normals_at(sheet, &places, out, job).and_then(|()| Ok(job.finish()?));
         done.inspect_err(|_| out.fill([0.0; 3]))
     })
 }

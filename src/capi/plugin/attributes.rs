@@ -83,7 +83,7 @@ unsafe extern "C" fn apply(
         let channel = input::read(channel.cast::<gusset_channel>(), false, "channel")?;
         let inputs = (values_of_inputs.cast(), input_count as usize);
         carry_over(origins, channel, inputs, (values, count, stride), &job)?;
-        Ok(job.memory()?)
+        Ok(job.finish()?)
     });
     let fault = outcome.err();
     let status = fault.as_ref().map_or(GUSSET_PLUGIN_DONE, |fault| fault.failure.status as i32);

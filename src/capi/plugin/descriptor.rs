@@ -147,8 +147,8 @@ pub struct gusset_host {
     pub struct_size: usize,
     /// First argument of the callbacks.
     pub user: *mut c_void,
-    /// Receives the part done, 0 to 1, nondecreasing, and the current work; may be NULL. A nonzero
-    /// return cancels: run ends within 0.1 s for 1,000,000 input and output faces or points.
+    /// Receives the part done, 0 to 1, nondecreasing, and the current work; may be NULL. If the run
+    /// succeeds, the last part is 1. A nonzero return cancels: run ends within 0.1 s for 1,000,000 input and output faces or points.
     /// Freeing more memory takes longer.
     pub progress: Option<unsafe extern "C" fn(user: *mut c_void, fraction: f64, stage: *const c_char) -> i32>,
     /// Receives remarks that are not failures; may be NULL.
@@ -275,11 +275,12 @@ pub struct gusset_failure {
     /// Index of the faulty input, or GUSSET_PLUGIN_NONE.
     pub input: u32,
     /// Kind of element, GUSSET_ELEMENT_... of gusset.h: 0 none, 1 vertex, 2 face, 3 corner, 4 entry
-    /// of face_offsets, 5 place in a loop, 6 none (index is a number of elements or bytes), 7 point
-    /// of all curves, 8 constraint on an outline, 9 place on a curve or surface, 12 section or
-    /// plane, 13 net node by rows, 14 net link (twice its first node, plus 1 if vertical), 15 net
-    /// cell by rows, 16 seam, 17 bridge, 18 scene entry, 19 stream byte, 20 place along a net side,
-    /// 21 other given item, 30 knot, 31 row of a net of curves. Later versions may add kinds.
+    /// of an array of offsets, 5 place in a loop, 6 none (index is a number of elements or bytes),
+    /// 7 point of all curves, 8 constraint on an outline, 9 place on a curve or surface, 12 section
+    /// or plane, 13 net node by rows, 14 net link (twice its first node, plus 1 if vertical), 15
+    /// net cell by rows, 16 seam, 17 bridge, 18 scene entry, 19 stream byte, 20 place along a net
+    /// side, 21 other given item, 30 knot, 31 row of a net of curves, 32 edge of a winged-edge
+    /// table. Later versions may add kinds.
     pub element: u32,
     /// First faulty element.
     pub index: u64,

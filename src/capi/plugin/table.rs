@@ -215,7 +215,7 @@ unsafe extern "C" fn run(
         let values = input::list(values, value_count as usize, "values")?;
         let outputs = answer(filter, &given, &values, traced, &job.part(0.05, 1.0))?;
         let outputs = handle::boxed(gusset_outputs::of(outputs)?);
-        job.memory()?;
+        job.finish()?;
         Ok(outputs)
     });
     match outcome {

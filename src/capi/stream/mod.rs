@@ -292,7 +292,7 @@ pub unsafe extern "C" fn gusset_stream_decoder_finish_create(
     let slot = input::output(net, ptr::null_mut(), "net");
     guard_change(context, |job| {
         let (slot, decoder) = (slot?, handle::get_mut(decoder, "decoder")?);
-        job.memory()?;
+        job.finish()?;
         *slot = handle::give(handle::boxed(gusset_net::new(decoder.0.finish()?)));
         Ok(())
     })

@@ -115,7 +115,7 @@ pub unsafe extern "C" fn gusset_surface_evaluate(
     guard_change(context, |job| {
         let (results, surface, places) = (results?, read(surface)?, surface_places(places, count)?);
         let found = surface.evaluate(&places, job)?;
-        job.memory()?;
+        job.finish()?;
         results.iter_mut().zip(found).for_each(|(result, local)| *result = local.into());
         Ok(())
     })
@@ -153,7 +153,7 @@ pub unsafe extern "C" fn gusset_surface_locate(
                 place.map_err(|_| Error::NoSuch { element: Element::Place, index: k as u64 })?,
             ));
         }
-        job.memory()?;
+        job.finish()?;
         places.copy_from_slice(&found);
         Ok(())
     })

@@ -192,7 +192,7 @@ pub unsafe extern "C" fn gusset_surface_first_hits(
     guard_change(context, |job| {
         let (out, surface) = (out?, read(surface)?);
         let found = surface.first_hits(&self::lines(lines, count)?, job)?;
-        job.memory()?;
+        job.finish()?;
         for (out, hit) in out.iter_mut().zip(&found) {
             *out = hit.as_ref().map_or(bytemuck::Zeroable::zeroed(), gusset_surface_hit::from);
         }

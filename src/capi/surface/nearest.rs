@@ -145,7 +145,7 @@ pub unsafe extern "C" fn gusset_surface_nearest(
         let queries =
             alloc::collect(input::items(queries.cast::<[f64; 3]>(), count, "queries")?.map(DVec3::from_array))?;
         let done = surface.closest_into(&queries, limit, out, gusset_surface_nearest_point::from, job);
-        done.and_then(|()| job.memory()).inspect_err(|_| out.fill(None.into())).map_err(Failure::from)
+        done.and_then(|()| job.finish()).inspect_err(|_| out.fill(None.into())).map_err(Failure::from)
     })
 }
 

@@ -200,7 +200,7 @@ pub unsafe extern "C" fn gusset_sheet_measure(
         let curvature = with_curvature.then(|| curvature_bound(sheet, &job.part(0.6, 0.8))).transpose()?;
         let with_crease = is_wanted(GUSSET_SHEET_MEASURE_CREASE);
         let crease = with_crease.then(|| sheet.crease(&job.part(0.8, 1.0))).transpose()?;
-        job.memory()?;
+        job.finish()?;
 
         let greatest = |sizes: &Diameters| [sizes.euclidean.greatest(), sizes.intrinsic.greatest()];
         let [diameter, intrinsic_diameter] = sizes.as_ref().filter(|_| with_diameters).map_or([0.0; 2], greatest);

@@ -7,14 +7,22 @@ use std::fmt::Write;
 const KEYWORDS: [(&str, &str); 1] = [("auto", "automatic")];
 /// Columns of a header.
 const WIDTH: usize = 120;
+/// The function that gives the texts of all choices.
+const TEXT: &str = "/// Describes a value of a choice in a sentence. See ::gusset_choice_text.
+template <class Choice>
+auto text(Choice value) -> decltype(choice_name(value)) {
+    return gusset_choice_text(choice_name(value), static_cast<uint32_t>(value));
+}
+";
 
-/// The text of `gusset/choices.hpp`: an enum for each choice, except sets of bits.
+/// The text of `gusset/choices.hpp`: an enum and its texts for each choice, except sets of bits.
 pub fn choices(sources: &[Source]) -> String {
     let items = || sources.iter().flat_map(|source| &source.items);
     let mut text = String::from(
         "// The choices of gusset.h as enums. Generated from src/capi; do not edit. Include gusset.hpp, not this.\n\
          #ifndef GUSSET_CHOICES_HPP\n#define GUSSET_CHOICES_HPP\n\n#include <gusset.h>\n\nnamespace gusset {\n",
     );
+    let mut names_of_types = String::new();
     for item in items() {
         let Kind::Choice(_) = item.kind else { continue };
         if item.comment.tag("bits").is_some() {
@@ -27,15 +35,17 @@ pub fn choices(sources: &[Source]) -> String {
         let shared = shared_prefix(&names);
         let values: Vec<String> = names.iter().map(|name| format!("{} = {name}", word(&name[shared..]))).collect();
         let _ = write!(text, "\n/// {} See ::{}.\n", item.comment.brief, item.name);
-        let head = format!("enum class {} : uint32_t {{", camel_case(&item.name));
+        let name = camel_case(&item.name);
+        let head = format!("enum class {name} : uint32_t {{");
         let line = format!("{head} {} }};", values.join(", "));
         if line.len() <= WIDTH {
             let _ = writeln!(text, "{line}");
         } else {
             let _ = writeln!(text, "{head}\n    {}\n}};", values.join(",\n    "));
         }
+        let _ = writeln!(names_of_types, "constexpr const char *choice_name({name}) {{ return \"{}\"; }}", item.name);
     }
-    text += "\n} // namespace gusset\n\n#endif\n";
+    let _ = write!(text, "\n/// @cond\n{names_of_types}/// @endcond\n\n{TEXT}\n}} // namespace gusset\n\n#endif\n");
     text
 }
 

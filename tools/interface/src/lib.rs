@@ -8,6 +8,7 @@
 //! | [`headers`] | writes the headers, by cbindgen and in the order of the sources |
 //! | [`description`] | writes the description that other generators read |
 //! | [`doxygen`] | writes the headers again with what the reference adds to each comment |
+//! | [`texts`] | writes the texts of statuses and choices that programs show |
 
 pub mod comment;
 pub mod cpp;
@@ -15,6 +16,7 @@ pub mod description;
 pub mod doxygen;
 pub mod headers;
 pub mod source;
+pub mod texts;
 
 use std::path::Path;
 
@@ -103,28 +105,15 @@ fn plugin_of(root: &Path, sources: &[source::Source], style: &dyn headers::Style
     Ok(("include/gusset_plugin.h".to_owned(), headers::framed(&frame, &body)))
 }
 
-/// The texts of the statuses as Rust source: the first sentence of each comment.
+/// The texts of statuses and choices as Rust source: the first sentence of each comment.
 ///
 /// # Errors
 ///
 /// As [`library_headers`].
-pub fn status_texts(root: &Path) -> Result<Generated, String> {
-    let mut code = String::from(
-        "//! The text of each status: the first sentence of its comment. Written by `gusset-interface headers`; do not edit.\n\n\
-         use std::ffi::CStr;\n\n/// The text of a status, without a dot.\npub(super) fn text(status: i32) -> &'static CStr {\n    match status {\n",
-    );
-    for source in sources(root)? {
-        for item in source.items {
-            let source::Kind::Enum(values) = item.kind else { continue };
-            for (_, number, comment) in values {
-                let sentence = comment.brief.trim_end_matches('.');
-                let (first, rest) = sentence.split_at(sentence.chars().next().map_or(0, char::len_utf8));
-                code += &format!("        {number} => c{:?},\n", format!("{}{rest}", first.to_lowercase()));
-            }
-        }
-    }
-    code += "        _ => c\"unknown status\",\n    }\n}\n";
-    Ok((format!("{FOLDER}/status_text.rs"), code))
+pub fn library_texts(root: &Path) -> Result<Vec<Generated>, String> {
+    let sources = sources(root)?;
+    let file = |name: &str, text: String| (format!("{FOLDER}/{name}.rs"), text);
+    Ok(vec![file("status_text", texts::statuses(&sources)), file("choice_text", texts::choices(&sources))])
 }
 
 /// The description as JSON, an item a line.

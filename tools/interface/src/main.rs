@@ -1,6 +1,6 @@
 //! Writes what follows from the sources of the C interface.
 //!
-//! - `gusset-interface headers` writes the headers and the texts of the statuses.
+//! - `gusset-interface headers` writes the headers and the texts of statuses and choices.
 //! - `gusset-interface describe FILE` writes the description for other generators.
 //! - `gusset-interface reference FOLDER` writes the headers as doxygen reads them.
 //!
@@ -15,9 +15,8 @@ fn run(arguments: &[&str]) -> Result<(), String> {
     let write = |path: &Path, text: &str| fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()));
     match arguments {
         ["headers"] => {
-            let texts = gusset_interface::status_texts(root)?;
-            write(&root.join(texts.0), &texts.1)?;
-            for (path, text) in gusset_interface::library_headers(root, version)? {
+            let texts = gusset_interface::library_texts(root)?;
+            for (path, text) in texts.into_iter().chain(gusset_interface::library_headers(root, version)?) {
                 write(&root.join(path), &text)?;
             }
             Ok(())
