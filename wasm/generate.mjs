@@ -1,5 +1,5 @@
-// Writes tables.js, layouts of structs and constants, from the description of the interface (`make build/interface.json`); and gusset.d.ts, the types,
-// from types.d.ts and the plugin's table.
+// Writes tables.js, layouts of structs, constants and words, from the description of the interface (`make build/interface.json`); and gusset.d.ts,
+// the types, from types.d.ts, those words and the plugin's table.
 //
 //     node generate.mjs tables | types [--check]      types: where gusset.wasm is; --check says whether the file is what it would write
 
@@ -32,18 +32,25 @@ function tables() {
   const kinds = Object.fromEntries([...library.choices, ...plugin.choices].map((choice) => [choice.name, choice.type]));
   plugin.callbacks.forEach((callback) => { kinds[callback.name] = "callback"; });
   const word = (constant, prefix) => constant.name.slice(prefix.length).toLowerCase();
+  const words = (constants, prefix) => constants.filter((one) => one.name.startsWith(prefix)).map((one) => [word(one, prefix), one.value]);
+  const named = (constants, prefix) => Object.fromEntries(words(constants, prefix).map(([name, value]) => [value, name]));
+  const valuesOf = (choice) => library.choices.find((one) => one.name === choice).values;
   const structs = Object.fromEntries(plugin.structs.map((struct) => [struct.name, layout(struct.fields, kinds)]));
   const value = (constant) => constant.value === "UINT32_MAX" ? 0xffffffff : constant.value;
   const constants = Object.fromEntries(plugin.constants.map((constant) => [constant.name.slice("GUSSET_".length), value(constant)]));
-  const errors = library.enums.find((one) => one.name === "gusset_status").values.filter((one) => one.value !== 0);
-  const statuses = Object.fromEntries(errors.map((one) => [one.value, word(one, "GUSSET_ERROR_")]));
-  const counted = library.choices.find((one) => one.name === "gusset_element").values;
-  const elements = Object.fromEntries(counted.map((one) => [one.value, word(one, "GUSSET_ELEMENT_")]));
+  const statuses = named(library.enums.find((one) => one.name === "gusset_status").values, "GUSSET_ERROR_");
+  const elements = named(valuesOf("gusset_element"), "GUSSET_ELEMENT_");
+  // The plugin's numbers are the library's.
+  const domains = Object.fromEntries(words(valuesOf("gusset_domain"), "GUSSET_DOMAIN_"));
+  const rules = Object.fromEntries(words(valuesOf("gusset_rule"), "GUSSET_RULE_"));
   constants.ERROR_PANIC = Number(Object.keys(statuses).find((status) => statuses[status] === "panic"));
   const lines = (name, comment, of) => `\n/** ${comment} */\nexport const ${name} = {\n${Object.entries(of).map(([key, value]) => `  ${key}: ${JSON.stringify(value)},\n`).join("")}};\n`;
   return "// Layouts and constants of the plugin's table, on 32 bits. Written by generate.mjs; do not edit.\n"
     + lines("structs", "The size of each struct; the offset of each field, and how DataView reads it.", structs) + lines("constants", "Without GUSSET_.", constants)
-    + lines("statuses", "Names of statuses.", statuses) + lines("elements", "Elements that failures name.", elements);
+    + lines("statuses", "Names of statuses.", statuses) + lines("elements", "Elements that failures name.", elements)
+    + lines("kinds", "Kinds of inputs and outputs.", named(plugin.constants, "GUSSET_KIND_"))
+    + lines("paramKinds", "Kinds of parameters.", named(plugin.constants, "GUSSET_PARAM_"))
+    + lines("domains", "Numbers of the domains of values.", domains) + lines("rules", "Numbers of the rules that combine values.", rules);
 }
 
 function wrapped(text, indent) {
@@ -60,17 +67,17 @@ function wrapped(text, indent) {
 
 const comment = (text, indent) => `${indent}/**\n${wrapped(text.replaceAll("*/", "* /"), indent)}${indent} */\n`;
 
-function typeOf(param, constants) {
+function typeOf(param) {
   if (param.choices.length > 0) {
     return [...param.choices.map((choice) => JSON.stringify(choice.word)), "number"].join(" | ");
   }
-  return param.arity > 1 ? "ArrayLike<number>" : param.kind === constants.PARAM_BOOL ? "boolean" : "number";
+  return param.arity > 1 ? "ArrayLike<number>" : param.kind === "bool" ? "boolean" : "number";
 }
 
 async function types() {
-  const { load } = await import("./gusset.js"), { constants } = await import("./tables.js");
-  const gives = { [constants.KIND_MESH]: "Mesh", [constants.KIND_CURVES]: "Curves", [constants.KIND_TEXT]: "Report" };
-  const takes = { [constants.KIND_MESH]: "MeshLike", [constants.KIND_CURVES]: "CurvesLike" };
+  const { load } = await import("./gusset.js"), tables = await import("./tables.js");
+  const gives = { mesh: "Mesh", curves: "Curves", text: "Report" }, takes = { mesh: "MeshLike", curves: "CurvesLike" };
+  const union = (name, comment, words) => `\n/** ${comment} */\nexport type ${name} =\n${words.map((word) => `  | ${JSON.stringify(word)}`).join("\n")};\n`;
   const capital = (name) => name.split("_").map((part) => part[0].toUpperCase() + part.slice(1)).join("");
   let params = "", members = "";
   for (const one of Object.values((await load()).filters)) {
@@ -83,10 +90,14 @@ async function types() {
       : Array.from({ length: more + 1 }, (_, k) => `[${[...given, ...Array(k).fill(last)].join(", ")}]`).join(" | ");
     const results = one.outputKinds.map((kind) => gives[kind]);
     params += `\n/** Parameters of \`${one.scriptName}\`; what is not given is what suits the inputs. */\nexport interface ${name} extends RunOptions {\n`
-      + one.params.map((param) => `${comment(`${param.label}. ${param.help}${param.choices.length || param.kind === constants.PARAM_BOOL ? "" : ` From ${param.min} to ${param.max}.`}`, "  ")}  ${param.id}?: ${typeOf(param, constants)};\n`).join("") + "}\n";
+      + one.params.map((param) => `${comment(`${param.label}. ${param.help}${param.choices.length || param.kind === "bool" ? "" : ` From ${param.min} to ${param.max}.`}`, "  ")}  ${param.id}?: ${typeOf(param)};\n`).join("") + "}\n";
     members += `${comment(`${one.help}${one.reference ? ` Source: ${one.reference}` : ""}`, "  ")}  readonly ${one.scriptName}: Filter<${inputs}, ${results.length === 1 ? results[0] : `[${results.join(", ")}]`}, ${name}>;\n`;
   }
-  return `// Types of gusset-mesh. Written by generate.mjs; do not edit.\n\n${read("types.d.ts").replace(/^\/\/.*\n\n/, "")}${params}\n/** The filters of the table, by their names for scripts. */\nexport interface Filters {\n${members}}\n`;
+  const words = union("ErrorCode", "The name of a status.", Object.values(tables.statuses))
+    + union("ElementKind", "What the index of an error counts.", Object.values(tables.elements))
+    + union("Kind", "What a filter takes and gives.", Object.values(tables.kinds)) + union("ParamKind", "The kind of a parameter.", Object.values(tables.paramKinds))
+    + union("Domain", "What has values.", Object.keys(tables.domains)) + union("Rule", "How the values of several sources become one.", Object.keys(tables.rules));
+  return `// Types of gusset-mesh. Written by generate.mjs; do not edit.\n\n${read("types.d.ts").replace(/^\/\/.*\n\n/, "")}${words}${params}\n/** The filters of the table, by their names for scripts. */\nexport interface Filters {\n${members}}\n`;
 }
 
 const [, , what, flag] = process.argv;

@@ -56,10 +56,9 @@ export class Report {
 export class GussetError extends Error {
   /** The number of the status, as in gusset.h. */
   readonly status: number;
-  /** Its name in lower case, as "index_out_of_range". */
-  readonly code: string;
-  /** What `index` counts, as "vertex" or "face"; "none" if nothing. */
-  readonly element: string;
+  readonly code: ErrorCode;
+  /** What `index` counts. */
+  readonly element: ElementKind;
   /** The first element at fault, or null. */
   readonly index: number | null;
   /** Its value where it has one, or null. */
@@ -102,8 +101,8 @@ export class Outputs<Made = Mesh | Curves | Report> implements Iterable<Made> {
   carry<V extends Values>(
     values: readonly (V | null)[],
     options?: {
-      domain?: "vertices" | "corners" | "faces";
-      rule?: "linear" | "normal" | "skin_weights" | "nearest" | "texture";
+      domain?: Domain;
+      rule?: Rule;
       index?: number;
       maxInfluences?: number;
       /** How many values an element has; null: as many as the first array has of each. */
@@ -119,8 +118,7 @@ export interface Param {
   readonly id: string;
   readonly label: string;
   readonly help: string;
-  /** 1 yes or no, 2 whole, 3 real, 4 one of `choices`, 5 a length, 6 an angle, 7 a point, 8 a direction, 9 a plane. */
-  readonly kind: number;
+  readonly kind: ParamKind;
   readonly arity: number;
   readonly min: number;
   readonly max: number;
@@ -139,10 +137,9 @@ export interface Filter<Inputs extends readonly unknown[] = readonly (MeshLike |
   readonly category: string;
   readonly help: string;
   readonly reference: string;
-  /** 1 a mesh, 2 curves; the last is that of all further inputs. */
-  readonly inputKinds: readonly number[];
-  /** 1 a mesh, 2 curves, 3 a report. */
-  readonly outputKinds: readonly number[];
+  /** The last is that of all further inputs. */
+  readonly inputKinds: readonly Kind[];
+  readonly outputKinds: readonly Kind[];
   readonly minInputs: number;
   readonly maxInputs: number;
   readonly hasOrigins: boolean;
@@ -160,6 +157,122 @@ export interface Gusset {
 
 /** Loads the library: from gusset.wasm beside this file, or from what is given. */
 export function load(source?: string | URL | BufferSource | WebAssembly.Module | Response | PromiseLike<Response>): Promise<Gusset>;
+
+/** The name of a status. */
+export type ErrorCode =
+  | "null_argument"
+  | "misaligned_argument"
+  | "bad_struct_size"
+  | "unknown_value"
+  | "out_of_range"
+  | "buffer_too_small"
+  | "context_busy"
+  | "no_such_element"
+  | "bad_stride"
+  | "bad_face_layout"
+  | "overlap"
+  | "wrong_handle"
+  | "count_differs"
+  | "too_large"
+  | "size_overflow"
+  | "empty_mesh"
+  | "bad_offsets"
+  | "face_too_small"
+  | "index_out_of_range"
+  | "not_finite"
+  | "mixed_scalars"
+  | "bad_wings"
+  | "bad_merge"
+  | "repeated_corner"
+  | "no_loop"
+  | "loop_too_short"
+  | "loop_repeats_vertex"
+  | "loop_edge_not_free"
+  | "loops_share_vertex"
+  | "loop_not_oriented"
+  | "orientation_conflict"
+  | "no_strip"
+  | "planes_undecided"
+  | "cut_not_connected"
+  | "curve_not_closed"
+  | "curve_not_plane"
+  | "empty_curve"
+  | "sections_differ"
+  | "no_node"
+  | "net_too_small"
+  | "crossing_cell"
+  | "bad_seam"
+  | "sides_differ"
+  | "no_grid"
+  | "bad_stream"
+  | "scene_cycle"
+  | "empty_scene"
+  | "field_undefined"
+  | "glued_inside"
+  | "gluings_differ"
+  | "bad_knots"
+  | "curves_apart"
+  | "out_of_memory"
+  | "cancelled"
+  | "panic";
+
+/** What the index of an error counts. */
+export type ElementKind =
+  | "none"
+  | "vertex"
+  | "face"
+  | "half_edge"
+  | "offset"
+  | "loop_place"
+  | "count"
+  | "point"
+  | "constraint"
+  | "place"
+  | "section"
+  | "node"
+  | "link"
+  | "cell"
+  | "seam"
+  | "bridge"
+  | "entry"
+  | "byte"
+  | "side_place"
+  | "item"
+  | "knot"
+  | "row"
+  | "edge";
+
+/** What a filter takes and gives. */
+export type Kind =
+  | "mesh"
+  | "curves"
+  | "text";
+
+/** The kind of a parameter. */
+export type ParamKind =
+  | "bool"
+  | "int"
+  | "real"
+  | "choice"
+  | "length"
+  | "angle"
+  | "point"
+  | "direction"
+  | "plane";
+
+/** What has values. */
+export type Domain =
+  | "vertices"
+  | "corners"
+  | "faces";
+
+/** How the values of several sources become one. */
+export type Rule =
+  | "linear"
+  | "normal"
+  | "skin_weights"
+  | "nearest"
+  | "texture";
 
 /** Parameters of `boundary_loops`; what is not given is what suits the inputs. */
 export interface BoundaryLoopsParams extends RunOptions {

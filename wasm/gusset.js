@@ -8,7 +8,7 @@ import { errorFor } from "./errors.js";
 import { given, isInput } from "./inputs.js";
 import { Library } from "./library.js";
 import { failed, Outputs } from "./outputs.js";
-import { constants } from "./tables.js";
+import { constants, kinds, paramKinds } from "./tables.js";
 
 export { Cancelled, GussetError, InputError, OutOfMemory, Stopped } from "./errors.js";
 export { Curves, Mesh } from "./inputs.js";
@@ -29,7 +29,7 @@ function paramOf(library, pointer) {
     choices.push({ word: word(library.text(choice.label)), label: library.text(choice.label), help: library.text(choice.help) });
   }
   return {
-    id: library.text(of.id), label: library.text(of.label), help: library.text(of.help), kind: of.kind, arity: of.arity, min: of.min, max: of.max,
+    id: library.text(of.id), label: library.text(of.label), help: library.text(of.help), kind: paramKinds[of.kind], arity: of.arity, min: of.min, max: of.max,
     step: of.step, defaults: Array.from(library.copied(Float64Array, of.default_values, of.arity)), choices, first: of.first_value,
   };
 }
@@ -99,7 +99,7 @@ function run(library, filter, struct, inputs, params) {
 /** A filter of the table as a function: inputs, then parameters; `filter.run` gives all that a run left. */
 function filterOf(library, pointer) {
   const struct = library.struct("gusset_filter", pointer), text = (field) => library.text(struct[field]);
-  const kindsOf = (field, count) => Array.from(library.copied(Uint32Array, struct[field], count));
+  const kindsOf = (field, count) => Array.from(library.copied(Uint32Array, struct[field], count), (kind) => kinds[kind]);
   const filter = (...given) => {
     const params = given.length > 0 && !isInput(given.at(-1)) ? given.pop() : {};
     const outputs = run(library, filter, struct, given, params ?? {});

@@ -150,8 +150,8 @@ export function given(library, room, inputs, kinds) {
   const size = room.struct("gusset_input").size;
   const first = room.cleared(size * Math.max(inputs.length, 1));
   const taken = inputs.map((one, k) => {
-    const kind = kinds[Math.min(k, kinds.length - 1)] ?? constants.KIND_MESH;
-    const isMesh = kind === constants.KIND_MESH, made = isMesh ? meshOf(one) : curvesOf(one);
+    const kind = kinds[Math.min(k, kinds.length - 1)] ?? "mesh";
+    const isMesh = kind === "mesh", made = isMesh ? meshOf(one) : curvesOf(one);
     const view = room.struct(isMesh ? "gusset_plugin_mesh" : "gusset_plugin_curves");
     if (isMesh) {
       view.positions = room.array(made.positions);
@@ -178,7 +178,7 @@ export function given(library, room, inputs, kinds) {
     const input = library.struct("gusset_input", first + k * size);
     input.struct_size = size;
     input.view = view.pointer;
-    input.kind = kind;
+    input.kind = isMesh ? constants.KIND_MESH : constants.KIND_CURVES;
     return made;
   });
   return { first, taken };

@@ -2,7 +2,7 @@
 
 import { errorFor } from "./errors.js";
 import { Curves, Mesh } from "./inputs.js";
-import { constants } from "./tables.js";
+import { constants, domains, rules } from "./tables.js";
 
 /** Lines of text; `values` has the numbers in it by their names. */
 export class Report {
@@ -16,11 +16,6 @@ export class Report {
   }
 }
 
-const domains = { vertices: constants.PLUGIN_VERTICES, corners: constants.PLUGIN_CORNERS, faces: constants.PLUGIN_FACES };
-const rules = {
-  linear: constants.PLUGIN_RULE_LINEAR, normal: constants.PLUGIN_RULE_NORMAL, skin_weights: constants.PLUGIN_RULE_SKIN_WEIGHTS,
-  nearest: constants.PLUGIN_RULE_NEAREST, texture: constants.PLUGIN_RULE_TEXTURE,
-};
 const types = new Map([
   [Float32Array, constants.PLUGIN_VALUE_F32], [Float64Array, constants.PLUGIN_VALUE_F64], [Uint8Array, constants.PLUGIN_VALUE_U8],
   [Uint16Array, constants.PLUGIN_VALUE_U16], [Uint32Array, constants.PLUGIN_VALUE_U32],

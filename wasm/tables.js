@@ -143,3 +143,39 @@ export const elements = {
   31: "row",
   32: "edge",
 };
+
+/** Kinds of inputs and outputs. */
+export const kinds = {
+  1: "mesh",
+  2: "curves",
+  3: "text",
+};
+
+/** Kinds of parameters. */
+export const paramKinds = {
+  1: "bool",
+  2: "int",
+  3: "real",
+  4: "choice",
+  5: "length",
+  6: "angle",
+  7: "point",
+  8: "direction",
+  9: "plane",
+};
+
+/** Numbers of the domains of values. */
+export const domains = {
+  vertices: 0,
+  corners: 1,
+  faces: 2,
+};
+
+/** Numbers of the rules that combine values. */
+export const rules = {
+  linear: 0,
+  normal: 1,
+  skin_weights: 2,
+  nearest: 3,
+  texture: 4,
+};

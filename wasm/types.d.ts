@@ -56,10 +56,9 @@ export class Report {
 export class GussetError extends Error {
   /** The number of the status, as in gusset.h. */
   readonly status: number;
-  /** Its name in lower case, as "index_out_of_range". */
-  readonly code: string;
-  /** What `index` counts, as "vertex" or "face"; "none" if nothing. */
-  readonly element: string;
+  readonly code: ErrorCode;
+  /** What `index` counts. */
+  readonly element: ElementKind;
   /** The first element at fault, or null. */
   readonly index: number | null;
   /** Its value where it has one, or null. */
@@ -102,8 +101,8 @@ export class Outputs<Made = Mesh | Curves | Report> implements Iterable<Made> {
   carry<V extends Values>(
     values: readonly (V | null)[],
     options?: {
-      domain?: "vertices" | "corners" | "faces";
-      rule?: "linear" | "normal" | "skin_weights" | "nearest" | "texture";
+      domain?: Domain;
+      rule?: Rule;
       index?: number;
       maxInfluences?: number;
       /** How many values an element has; null: as many as the first array has of each. */
@@ -119,8 +118,7 @@ export interface Param {
   readonly id: string;
   readonly label: string;
   readonly help: string;
-  /** 1 yes or no, 2 whole, 3 real, 4 one of `choices`, 5 a length, 6 an angle, 7 a point, 8 a direction, 9 a plane. */
-  readonly kind: number;
+  readonly kind: ParamKind;
   readonly arity: number;
   readonly min: number;
   readonly max: number;
@@ -139,10 +137,9 @@ export interface Filter<Inputs extends readonly unknown[] = readonly (MeshLike |
   readonly category: string;
   readonly help: string;
   readonly reference: string;
-  /** 1 a mesh, 2 curves; the last is that of all further inputs. */
-  readonly inputKinds: readonly number[];
-  /** 1 a mesh, 2 curves, 3 a report. */
-  readonly outputKinds: readonly number[];
+  /** The last is that of all further inputs. */
+  readonly inputKinds: readonly Kind[];
+  readonly outputKinds: readonly Kind[];
   readonly minInputs: number;
   readonly maxInputs: number;
   readonly hasOrigins: boolean;

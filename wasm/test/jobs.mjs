@@ -1,7 +1,6 @@
 // What is run by both: each filter of the table on the shapes of python/tests/test_filters.py, and some more.
 
 import { Curves, Mesh } from "../gusset.js";
-import { constants } from "../tables.js";
 import { cap, part, rings, sheet, tube } from "./shapes.mjs";
 
 const SHEET = sheet();
@@ -71,7 +70,7 @@ const MORE = [
 
 /** All jobs, for filters of a table: each filter, each of the choices of its parameters, and more. */
 export function jobsOf(filters) {
-  const general = { [constants.KIND_MESH]: SHEET, [constants.KIND_CURVES]: RINGS };
+  const general = { mesh: SHEET, curves: RINGS };
   const inputsOf = (filter) => INPUTS[filter.scriptName] ?? filter.inputKinds.map((kind) => general[kind]);
   const job = (filter, inputs, params = {}) => ({ filter, inputs, params, name: `${filter.scriptName} ${JSON.stringify(params)}` });
   const all = Object.values(filters).flatMap((filter) => [

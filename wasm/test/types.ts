@@ -18,15 +18,19 @@ const [loops]: [Curves, Report] = filters.outline(new Curves([mesh.positions], {
 const made: Mesh = filters.net_shape({ rows: 9 })[0];
 const outputs: Outputs = filters.stitch.run([mesh, mesh], { origins: true });
 const colours: Uint8Array = outputs.carry([new Uint8Array(9), null], { rule: "linear" });
-const at = (error: unknown) => (error instanceof InputError ? error.index : null);
+const at = (error: unknown) => (error instanceof InputError && error.element === "vertex" ? error.index : null);
 
 // @ts-expect-error: there is no such parameter
 filters.weld(mesh, { tolerances: 1 });
 // @ts-expect-error: nor such a choice
 filters.weld(mesh, { vertices: "some" });
+// @ts-expect-error: nor such a rule
+outputs.carry([new Uint8Array(9), null], { rule: "nearst" });
+// @ts-expect-error: nor such an element
+const wrong = (error: InputError) => error.element === "vertices";
 // @ts-expect-error: there is a mesh too many
 filters.stitch(mesh, mesh, mesh);
 // @ts-expect-error: a mesh is missing
 filters.weld();
 
-export { at, bent, colours, count, loops, made, text };
+export { at, bent, colours, count, loops, made, text, wrong };
