@@ -235,7 +235,8 @@ static int keep_fraction(void *user, double fraction, const char *stage) {
 /* Of a success the last report is 1: of new handles, of arrays of the caller's, and of what changes in place. */
 static void progress_ends_at_one(void) {
     const gusset_mesh_view pieces[2] = {pyramid(pyramid_up), pyramid(pyramid_down)};
-    const double nodes[4][3] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}}, above[3] = {0.5, 0.25, 2};
+    double nodes[4][3] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}};
+    const double above[3] = {0.5, 0.25, 2};
     const gusset_nodes grid = gusset_nodes_f64(&nodes[0][0], 2, 2);
     const gusset_net_view view = gusset_net_points_f64(&nodes[0][0], 2, 2);
     const gusset_field twist = {.struct_size = sizeof twist, .kind = GUSSET_FIELD_TWIST, .axis = GUSSET_AXIS_Z, .strength = 1};
@@ -244,6 +245,7 @@ static void progress_ends_at_one(void) {
     gusset_surface *surface = NULL;
     gusset_surface_nearest_point nearest;
     gusset_net *net = NULL;
+    gusset_net_view lent = {.struct_size = sizeof lent};
     double last = 0;
 
     EXPECT(GUSSET_OK, gusset_context_create(&context));
@@ -263,9 +265,9 @@ static void progress_ends_at_one(void) {
     EXPECT(GUSSET_OK, gusset_context_set_progress(context, stop_at_one, NULL));
     EXPECT(GUSSET_OK, gusset_net_deform(context, net, &twist, 1, 0));
     EXPECT(GUSSET_ERROR_CANCELLED, gusset_surface_nearest(context, surface, above, 1, NULL, &nearest));
-    CHECK(strcmp(gusset_context_get_message(context), "the caller cancelled the call") == 0 && nearest.distance == 0);
+    CHECK(strcmp(gusset_context_get_message(context), "the caller cancelled the call") == 0);
     EXPECT(GUSSET_OK, gusset_context_set_progress(context, stop_at_once, NULL));
-    EXPECT(GUSSET_OK, gusset_net_set_gluing(context, net, NULL));
+    EXPECT(GUSSET_OK, gusset_net_edit(context, net, &lent));
     gusset_result_destroy(result);
     gusset_surface_destroy(surface);
     gusset_net_destroy(net);
