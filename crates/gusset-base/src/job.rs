@@ -86,8 +86,8 @@ impl<'a> Job<'a> {
         answer(self.progress.step(self.from + (self.to - self.from) * fraction, stage))
     }
 
-    /// Tells the host that the computation is complete. To be called after the last step, before
-    /// anything is changed that the caller has.
+    /// Reports that the computation is complete. Call it after the last step, before modifying the
+    /// caller's data.
     ///
     /// # Errors
     ///
