@@ -5,6 +5,7 @@
 
 use super::{Classes, Net, Real, each};
 use glam::{DMat3, DVec3};
+use gusset_base::choices;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::rotation::{best_rotation, part_of};
 use gusset_base::geom::scale::common_unit;
@@ -19,6 +20,11 @@ pub enum MorphPath {
     /// The rotation between the nets that fits best is done at an even rate, and the rest of the way
     /// goes straight in the frame that turns.
     Rigid,
+}
+
+choices! { for MorphPath:
+    Linear => "Straight", "Each vertex moves on a straight line.";
+    Rigid => "With rotation", "The rotation that fits best is uniform, and the rest is straight in the rotating frame.";
 }
 
 /// The net at the time `t`, from 0 to 1, on the way from `a` to `b`: at 0 the bits of `a`, at 1 those
