@@ -1,8 +1,9 @@
 //! The table of filters: every capability of the library that makes sense in a mesh editor, under a
 //! stable id, with typed parameters. Plugin hosts list it, and `docs/filters.md` is made from it.
 //!
-//! * [`filter`]: the type of an entry. [`param`]: parameters and the validation of values.
-//!   [`data`]: inputs and outputs. [`report`]: texts and the numbers in them.
+//! * [`filter`]: the type of an entry. [`param`]: parameters as hosts see them. `typed`: parameters
+//!   as filters declare and read them. [`data`]: inputs and outputs. [`report`]: texts and the
+//!   numbers in them.
 //! * [`FILTERS`]: the table; each entry has a file of its name.
 //!
 //! Values are numbers, one for each component of each parameter, in the order of the table; missing
@@ -10,6 +11,7 @@
 
 pub mod data;
 pub mod param;
+mod typed;
 
 mod align;
 mod assemble;
@@ -29,13 +31,18 @@ mod extent;
 mod facing_arcs;
 mod fill_holes;
 pub mod filter;
+mod lattice;
 mod loft;
+mod morph;
+mod moving;
 mod net_analyse;
 mod net_decimate;
 mod net_join;
 mod net_lathe;
 mod net_measures;
+mod net_planarise;
 mod net_resample;
+mod net_settle;
 mod net_shape;
 mod orient;
 mod outline;
@@ -105,6 +112,10 @@ pub static FILTERS: &[Filter] = &[
     align::FILTER,
     trim::FILTER,
     develop::FILTER,
+    net_planarise::FILTER,
+    net_settle::FILTER,
+    morph::FILTER,
+    lattice::FILTER,
 ];
 
 impl Filter {

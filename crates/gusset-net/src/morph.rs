@@ -5,6 +5,7 @@
 
 use super::{Classes, Net, Real, each};
 use glam::{DMat3, DVec3};
+use gusset_base::choices;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::rotation::{best_rotation, fraction_of_rotation};
 use gusset_base::geom::scale::common_unit;
@@ -19,6 +20,11 @@ pub enum MorphPath {
     /// The best-fitting rotation between the nets turns at a uniform rate, and the remaining motion
     /// is straight in the turning frame.
     Rigid,
+}
+
+choices! { for MorphPath:
+    Linear => "Straight", "Each vertex moves on a straight line.";
+    Rigid => "With rotation", "The rotation that fits best is uniform, and the rest is straight in the rotating frame.";
 }
 
 /// Returns the net between `a` and `b` at the time `t`, from 0 to 1. At 0 it has the bits of `a`,

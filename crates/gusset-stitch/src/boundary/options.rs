@@ -15,7 +15,7 @@ pub enum NonManifold {
 }
 
 choices! { for NonManifold:
-    Cut => "Cut", "Each face has a border of its own there: loops are always closed.";
+    Cut => "Cut", "Each face has its own border there, so loops are always closed.";
     Stop => "Stop", "Loops end there, as open chains.";
 }
 

@@ -15,5 +15,5 @@ pub enum Continuity {
 
 choices! { for Continuity:
     C1 => "Tangents", "The patch leaves the old surface along its tangent planes.";
-    C2 => "Curvature", "The patch goes on with the curvature of the old surface, too, which two rings of its faces tell.";
+    C2 => "Curvature", "The patch also continues the curvature of the old surface, taken from two rings of its faces.";
 }

@@ -28,7 +28,7 @@ pub enum Weight {
 }
 
 choices! { for Weight:
-    Continuation => "Best continuation", "The bends along edges, and the distance from the surface that the tangent planes at the rim make likely.";
+    Continuation => "Best continuation", "The bends along edges, and the distance from the surface that the tangent planes at the rim suggest.";
     AreaAndBend => "Area and bend", "The area, and the bends along edges by their squared length.";
     BendThenArea => "Largest bend", "The largest angle between neighbouring faces, then the area.";
     Area => "Area", "The area alone.";
@@ -103,7 +103,7 @@ pub enum Keep {
 choices! { for Keep:
     None => "None", "All loops are holes.";
     Longest => "The longest", "The longest loop is the outline of a sheet, and stays open.";
-    Borders => "Borders", "Loops that go round a sheet, rather than a hole in it, stay open.";
+    Borders => "Borders", "Loops around a sheet stay open. Loops around holes in it are filled.";
 }
 
 /// Which loops share a patch.
@@ -121,7 +121,7 @@ pub enum Together {
 choices! { for Together:
     Apart => "Each by itself", "Each loop gets a patch of its own.";
     One => "All by one patch", "All loops get one patch: a surface without handles between them.";
-    Cheapest => "Where it costs less", "Loops get one patch where that costs less, by the weight, than patches of their own.";
+    Cheapest => "Where it costs less", "Loops share a patch if its weight is less than the weight of separate patches.";
 }
 
 /// The loops to fill.

@@ -32,7 +32,7 @@ pub enum Outward {
 
 choices! { for Outward:
     Keep => "Majority", "The orientation of most of their faces.";
-    Closed => "Outwards", "Outwards, each by its own volume, also inside others.";
+    Closed => "Outwards", "Outwards, each by its own volume, even inside others.";
 }
 
 /// Options of [`orient`].

@@ -41,7 +41,7 @@ pub enum Vertices {
 
 choices! { for Vertices:
     Boundary => "Borders", "Coincident pairs of boundary edges become one edge.";
-    All => "All vertices", "All coincident vertices, whatever becomes of the edges.";
+    All => "All vertices", "All coincident vertices become one, even if an edge then has three or more faces.";
 }
 
 /// Options of [`weld`].

@@ -114,7 +114,7 @@ pub enum Run {
 
 choices! { for Run:
     Closest => "Closest", "The one with the closest pair of points.";
-    Longest => "Longest", "The one of the most points.";
+    Longest => "Longest", "The one with the most points.";
 }
 
 /// An arc of a loop: its first place, and its number of vertices. It may wrap around the loop's

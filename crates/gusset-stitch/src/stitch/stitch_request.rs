@@ -93,7 +93,7 @@ pub enum Finish {
 
 choices! { for Finish:
     Strip => "Strip", "The strip of meridians, with its rows.";
-    Blend => "Blend", "Triangles as fine as those round it, on a smooth surface: the best-looking joint.";
+    Blend => "Blend", "Triangles as fine as the faces around them, on a smooth surface: the best-looking joint.";
 }
 
 /// Whether intersecting faces of the strip are looked for. Shared vertices and edges, and
@@ -115,9 +115,9 @@ pub enum Intersections {
 }
 
 choices! { for Intersections:
-    Auto => "Automatic", "They are looked for, and avoided by faired rows, blends and the best continuation.";
+    Auto => "Automatic", "They are found, and avoided by faired rows, blends and the best continuation.";
     Ignore => "Ignore", "No search.";
-    Report => "Report", "They are looked for, and avoided by faired rows and blends only.";
+    Report => "Report", "They are found, and avoided by faired rows and blends only.";
 }
 
 /// Options of [`stitch()`](super::stitch()).
