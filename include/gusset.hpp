@@ -3,11 +3,11 @@
 /// Header only.
 ///
 /// * Every failure of the library is a gusset::Error with the status, the sentence and the report.
-///   Mistakes that the wrapper finds itself are std::logic_error: std::invalid_argument where arrays do
-///   not fit together, std::out_of_range where there is no such element.
+/// Mistakes that the wrapper detects throw std::logic_error: std::invalid_argument if arrays do not fit together,
+/// std::out_of_range if an element does not exist.
 /// * A callback may throw: the call is cancelled, and the exception comes out of it.
-/// * Results own their memory; spans and views into them are valid as long as they live, and an empty
-///   span has no pointer. Results are immutable and may be read from many threads. A Context serves one
+/// * Results own their memory. Spans and views of a result are valid as long as it lives. The pointer of an empty
+/// span is null. Results are immutable and may be read from many threads. A Context serves one
 ///   call at a time.
 #ifndef GUSSET_HPP
 #define GUSSET_HPP

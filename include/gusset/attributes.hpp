@@ -58,8 +58,8 @@ public:
     Indices starts(Domain domain) const & { return detail::indices(view(domain).starts); }
     Indices starts(Domain domain) const && = delete;
 
-    /// The values of the result's elements: numbers, or arrays of them. `inputs`: those of each input, in
-    /// order; empty for one that has none. `max_influences`: of Rule::skin_weights, how many are
+    /// The values of the result's elements: numbers, or arrays of them. `inputs`: the values of each input, in order;
+    /// empty for an input without values. `max_influences`: of Rule::skin_weights, how many are
     /// kept; 0 for all.
     template <class Element>
     std::vector<Element> apply(Domain domain, Rule rule, const std::vector<Span<const Element>> &inputs,
@@ -84,7 +84,7 @@ public:
 
     /// The argument for the C interface, which this still owns.
     const gusset_origins *get() const noexcept { return origins_.get(); }
-    /// What a function of the C interface made.
+    /// Takes over origins of the C interface.
     explicit Origins(gusset_origins *made) { origins_.reset(made); }
 
 private:

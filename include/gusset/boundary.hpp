@@ -44,7 +44,7 @@ public:
 
     /// The number of elements.
     std::size_t size() const noexcept { return view().loop_count; }
-    /// True if the range has no elements.
+    /// True if the range is empty.
     bool empty() const noexcept { return size() == 0; }
     /// The number of walks that the loops were cut from; see gusset_boundary_view.
     std::size_t walk_count() const noexcept { return view().walk_count; }

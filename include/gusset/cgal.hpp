@@ -18,9 +18,8 @@
 
 namespace gusset::cgal {
 
-/// A CGAL surface mesh as gusset sees it. Positions stay where they are, so the mesh must outlive
-/// this and keep its vertices meanwhile; CGAL has no array of its faces' vertices, so those are
-/// gathered here.
+/// A CGAL surface mesh as gusset sees it. Positions are read in place, so the mesh must outlive this object and keep
+/// its vertices; vertices of faces are copied, because CGAL lacks an array of them.
 template <class Point>
 class Input {
     using Kernel = typename CGAL::Kernel_traits<Point>::Kernel;
@@ -77,8 +76,7 @@ private:
 };
 
 namespace detail {
-/// Adds the faces of `view`, whose vertex v is the host's vertices[v]; returns those that CGAL
-/// refuses.
+/// Adds the faces of `view`. Its vertex v is the host's vertices[v]. Returns the faces that CGAL refuses.
 template <class Point>
 std::vector<uint32_t> add_faces(CGAL::Surface_mesh<Point> &mesh, const MeshView &view,
                                 const std::vector<typename CGAL::Surface_mesh<Point>::Vertex_index> &vertices) {
@@ -112,8 +110,9 @@ std::vector<uint32_t> append(CGAL::Surface_mesh<Point> &mesh, const MeshView &re
 
 /// Appends a whole result, and carries over what its inputs have: property maps of floats, doubles, ints, longs, unsigned ones of
 /// them, unsigned shorts and chars, arrays of two to four floats, doubles or ints, of three or four unsigned chars, colours, and vectors,
-/// of vertices, halfedges and faces, by their names; others stay behind. No input may be the mesh itself. Halfedges count as the corners that they end at. Vectors whose name has "normal" in
-/// it are directions, and turned with what is turned over; "f:normal" is left to the host. `inputs`: the meshes that the result was made
+/// of vertices, halfedges and faces, by their names; others stay behind. No input may be the mesh itself. Halfedges
+/// count as the corners that they end at. Vectors with "normal" in their name are directions, and reversed with
+/// reversed faces; "f:normal" is left to the host. `inputs`: the meshes that the result was made
 /// of, in their order. Returns the faces that CGAL refused.
 template <class Point>
 std::vector<uint32_t> append(CGAL::Surface_mesh<Point> &mesh, const MeshView &result, const Origins &origins,
@@ -180,7 +179,7 @@ std::vector<uint32_t> append_strip(CGAL::Surface_mesh<Point> &mesh, const Stitch
         throw std::invalid_argument("gusset: the strip does not fit: the stitch is of two meshes, or turned one over");
     }
     std::vector<typename CGAL::Surface_mesh<Point>::Vertex_index> vertices;
-    // Of one mesh the vertices keep their numbers; the strip's own come after those of its rims.
+    // The vertices of the mesh keep their numbers; the strip's own vertices follow the vertices of its rims.
     for (int side : {0, 1}) {
         for (uint32_t v : stitch.rim(side)) {
             vertices.emplace_back(v);

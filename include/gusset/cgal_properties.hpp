@@ -48,7 +48,7 @@ struct Values<Color> {
     static constexpr uint32_t count = 4;
 };
 
-/// What is not carried: positions, connectivity, states, and normals of faces, which depend on where these are.
+/// Maps that are not carried: positions, connectivity, states, and normals of faces, which depend on positions.
 inline bool is_own(const std::string &name) {
     return name == "v:point" || name == "f:normal" || name.find(":removed") != std::string::npos || name.find(":connectivity") != std::string::npos;
 }

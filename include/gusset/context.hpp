@@ -98,7 +98,7 @@ public:
     /// Receives the part done (0 to 1) and the name of the stage; returns false to cancel the call.
     /// May throw.
     using Progress = std::function<bool(double fraction, const char *stage)>;
-    /// Receives remarks that are no failures. May throw.
+    /// Receives remarks that are not failures. May throw.
     using Log = std::function<void(const char *message)>;
 
     /// See ::gusset_context_create.

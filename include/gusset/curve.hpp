@@ -35,7 +35,7 @@ public:
         return detail::points(found.points, found.count);
     }
     Points points() const && = delete;
-    /// Of intersections: the places on the other curve.
+    /// For intersections: the places on the other curve.
     Span<const Place> others() const & {
         const gusset_places_view found = view();
         return {found.others, found.others != nullptr ? found.count : 0};
@@ -48,7 +48,7 @@ public:
         return {found.overlaps, 4 * found.overlap_count};
     }
     Span<const Place> overlaps() const && = delete;
-    /// Of a line or a plane: the segments that lie in it.
+    /// For a line or a plane: the segments that lie in it.
     Indices inside() const & { return detail::indices(view().inside); }
     Indices inside() const && = delete;
     /// Some pair of segments was left undecided.
@@ -78,7 +78,7 @@ public:
         return detail::points(form.points, form.point_count);
     }
     Points points() const && = delete;
-    /// Of a contour: 1 for each point on the curve, 0 off it.
+    /// For a contour: 1 for each point on the curve, 0 off it.
     Span<const uint8_t> on_curve() const & {
         const gusset_curve_form_view form = view();
         return {form.on_curve, form.knot_count == 0 ? form.point_count : 0};

@@ -24,13 +24,13 @@ public:
         return {reinterpret_cast<const std::array<double, 2> *>(all.points), all.vertex_map.count};
     }
     Span<const std::array<double, 2>> points() const && = delete;
-    /// Of each vertex, that of the surface that it is.
+    /// For each vertex its vertex of the surface.
     Indices vertex_map() const & { return detail::indices(report().vertex_map); }
     Indices vertex_map() const && = delete;
-    /// Of each face its chart.
+    /// For each face its chart.
     Indices face_charts() const & { return detail::indices(report().face_charts); }
     Indices face_charts() const && = delete;
-    /// Of each face the largest factor by which lengths in it grow, and the least.
+    /// For each face the largest and the least factor by which its lengths change.
     Span<const std::array<double, 2>> stretches() const & {
         const gusset_develop_report all = report();
         return {reinterpret_cast<const std::array<double, 2> *>(all.stretches), all.face_charts.count};
@@ -42,7 +42,7 @@ public:
     /// Edges of the surface that were cut, two vertices an edge.
     Indices cut_edges() const & { return detail::indices(report().cut_edges); }
     Indices cut_edges() const && = delete;
-    /// Of each of them GUSSET_CUT_...
+    /// The GUSSET_CUT_... of each cut.
     Indices cut_kinds() const & { return detail::indices(report().cut_kinds); }
     Indices cut_kinds() const && = delete;
     /// The number of darts.

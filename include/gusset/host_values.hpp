@@ -1,5 +1,5 @@
 /// @file
-/// Values of a host's elements, carried over: what the adapters share. Include an adapter, not this.
+/// Shared by the adapters: carries values of a host's elements over. Include an adapter, not this.
 #ifndef GUSSET_HOST_VALUES_HPP
 #define GUSSET_HOST_VALUES_HPP
 
@@ -9,7 +9,7 @@
 
 namespace gusset::detail {
 
-/// One channel: of each input so many elements from an address on, or none at NULL.
+/// One channel: for each input an address and a number of elements, or NULL for an input without values.
 struct HostChannel {
     Domain domain;
     Rule rule;
@@ -26,8 +26,8 @@ struct HostChannel {
     }
 };
 
-/// What a property is, by its type and its name: normals are directions, integers are numbers, and texture coordinates of
-/// corners go on as charts; all else is mixed. Colours of bytes are mixed, too.
+/// The rule for a property, by its type and name: normals are directions, integers are copied, texture coordinates of
+/// corners continue as charts; other properties are averaged. Colours of bytes are mixed, too.
 inline Rule rule_of(const std::string &name, Domain domain, uint32_t value_type, uint32_t components) {
     const auto has = [&](const char *word) { return name.find(word) != std::string::npos; };
     const bool floats = value_type == GUSSET_VALUE_F32 || value_type == GUSSET_VALUE_F64;
@@ -40,7 +40,7 @@ inline Rule rule_of(const std::string &name, Domain domain, uint32_t value_type,
     return floats || has("color") || has("colour") ? Rule::linear : Rule::nearest;
 }
 
-/// Integers of any sign are carried as numbers, by their bits; those of 64 bits in two halves.
+/// Integers are carried bit for bit, those with 64 bits in two halves.
 template <class Value>
 constexpr uint32_t host_value_type() {
     if constexpr (std::is_floating_point_v<Value>) {

@@ -56,8 +56,8 @@ public:
     template <class... Arguments, class = std::enable_if_t<(detail::is_temporary<Arguments> || ...)>>
     static MeshView polygons(Arguments &&...) = delete;
 
-    /// The same mesh, whose vertices are one with others: merge[v] is the vertex that v is one with, itself
-    /// or one that is one with itself; see find_merge(). The indices must outlive the view. Throws
+    /// The same mesh with merged vertices: merge[v] is the representative of v, and merge[merge[v]] = merge[v]; see
+    /// find_merge(). The indices must outlive the view. Throws
     /// std::invalid_argument if there is not one for each vertex.
     MeshView merged(Indices merge) const {
         if (merge.size() != view_.vertex_count) {

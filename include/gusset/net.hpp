@@ -28,15 +28,14 @@ constexpr NetMeasures operator|(NetMeasures a, NetMeasures b) {
 struct NetPlanarity {
     /// The largest, the mean, and the number above the tolerance.
     gusset_net_planarity_report summary;
-    /// Of each cell; NaN for missing cells.
+    /// For each cell; NaN for missing cells.
     std::vector<double> cells;
 };
 
 struct DecimatedNet;
 
-/// A net: H x W nodes and their gluing. Copies share memory until one of them is changed. Functions
-/// that are const may run at the same time in many threads; those that return a net leave this one
-/// as it is.
+/// A net: H x W nodes and their gluing. Copies share memory until one of them is changed. Const functions may run in
+/// many threads at the same time. Functions that return a net do not change this one.
 class Net {
 public:
     /// Takes ownership of a handle of the C interface.
@@ -135,7 +134,7 @@ public:
     }
     template <class T>
     NetCoordinates<T> edit() && = delete;
-    /// Node (i, j), whatever the type.
+    /// Node (i, j), as doubles for any scalar type.
     Point3 at(std::size_t i, std::size_t j) const {
         const gusset_net_view arrays = view();
         if (i >= arrays.rows || j >= arrays.columns) {
@@ -203,7 +202,7 @@ public:
         detail::lent(gusset_net_get_gluing, get(), nullptr, std::size_t{0}, out.data(), out.size());
         return out;
     }
-    /// Replaces the gluing; positions stay as they are.
+    /// Replaces the gluing; positions do not change.
     void set_gluing(const Gluing &gluing, const Context &context = Context()) {
         const gusset_net_gluing given = detail::as_c(gluing, view());
         context.call(gusset_net_set_gluing, get(), &given);
@@ -220,7 +219,7 @@ public:
         options.tolerance = tolerance;
         glue(options, context);
     }
-    /// Glues nodes, all or none; positions stay as they are.
+    /// Glues all given nodes or none; positions do not change.
     void glue(Span<const LocalGluing> gluings, const Context &context = Context()) {
         GlueOptions options;
         options.gluings.assign(gluings.begin(), gluings.end());
@@ -277,7 +276,7 @@ public:
                                             const Context &context = Context()) const {
         return type(context.result(gusset_net_classify, get(), gusset_gluing_place{GUSSET_GLUING_PLACE_NODE}, node, cyclic));
     }
-    /// The degenerate shape of a cell, if it is no quad.
+    /// The degenerate shape of a cell that is not a quad.
     std::optional<GluingType> classify_cell(uint32_t cell, const Context &context = Context()) const {
         return type(context.result(gusset_net_classify, get(), gusset_gluing_place{GUSSET_GLUING_PLACE_CELL}, cell, false));
     }
@@ -366,7 +365,7 @@ public:
                 static_cast<BridgeMode>(found.mode),     found.properties,
                 found.rows};
     }
-    /// `properties`: empty leaves them as they are.
+    /// `properties`: empty keeps them.
     void set_bridge(std::size_t index, BridgeMode mode, double tolerance = 0.0,
                     const std::optional<BridgeProperties> &properties = std::nullopt,
                     const Context &context = Context()) {

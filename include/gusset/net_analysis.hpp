@@ -11,32 +11,30 @@ namespace gusset {
 /// this. See gusset_net_analysis_view.
 class NetAnalysis {
 public:
-    /// Of a deformation of a net, which stays as it is.
+    /// Analyses a deformation without changing the net.
     NetAnalysis(const Net &net, const NetAnalysisOptions &options, const Context &context = Context()) {
         const gusset_net_analysis_options given = detail::as_c(options);
         analysis_.reset(context.result(gusset_net_analysis_create, net.get(), &given));
     }
-    /// Of a net before and after.
+    /// Analyses a net before and after.
     NetAnalysis(const Net &before, const Net &after, const Context &context = Context())
         : NetAnalysis(before, options_of(after), context) {}
-    /// Of fields on a net, which stays as it is.
+    /// Analyses fields without changing the net.
     NetAnalysis(const Net &net, Span<const Field> fields, const Context &context = Context())
         : NetAnalysis(net, options_of(fields), context) {}
-    /// Of each link, its new length divided by its old one; NaN if it had none.
+    /// For each link its new length divided by its old length; NaN if it had none.
     Span<const double> links() const & {
         const gusset_net_analysis_view found = view();
         return {found.links, found.link_count};
     }
     Span<const double> links() const && = delete;
-    /// Of each cell, its new area divided by its old one; negative where the surface is folded
-    /// over.
+    /// For each cell its new area divided by its old area; negative where the surface folds over.
     Span<const double> cells() const & {
         const gusset_net_analysis_view found = view();
         return {found.cells, found.cell_count};
     }
     Span<const double> cells() const && = delete;
-    /// Of each cell, the determinant of the fields' Jacobian at its centre; empty if nets were
-    /// compared.
+    /// For each cell the determinant of the fields' Jacobian at its centre; empty if nets were compared.
     Span<const double> determinants() const & {
         const gusset_net_analysis_view found = view();
         return {found.determinants, found.determinants != nullptr ? found.cell_count : 0};
@@ -48,7 +46,7 @@ public:
         return {found.contracted, found.contracted_count};
     }
     Indices contracted() const && = delete;
-    /// Of contracted link `i`, the type of the star of its first node; throws std::out_of_range.
+    /// The type of the star of the first node of contracted link `i`; throws std::out_of_range.
     GluingType star(std::size_t i) const {
         const gusset_net_analysis_view found = view();
         if (i >= found.contracted_count) {

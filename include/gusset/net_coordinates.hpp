@@ -63,7 +63,7 @@ struct HeightOptions {
     std::array<double, 2> spacing{1.0, 1.0};
     /// The position of the first node at height 0.
     Point3 origin{};
-    /// The number that stands for a missing height.
+    /// The number that marks a missing height.
     std::optional<double> no_data;
     /// Numbers from row to row; 0: rows without gaps.
     std::size_t row_stride = 0;

@@ -15,7 +15,7 @@ using Transform = gusset_transform;
 /// A map of homogeneous coordinates: four rows of four.
 using Projection = std::array<double, 16>;
 
-/// The transform that leaves everything where it is.
+/// The identity.
 inline Transform identity() { return {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}}; }
 /// The transform that moves by a vector.
 inline Transform translation(const Point3 &by) { return {{1, 0, 0, by[0], 0, 1, 0, by[1], 0, 0, 1, by[2]}}; }
@@ -112,8 +112,8 @@ public:
     }
     /// Onto a sphere; see GUSSET_FIELD_SPHERIFY.
     static Field spherify(const Point3 &centre, double radius) { return Field(GUSSET_FIELD_SPHERIFY, centre, radius); }
-    /// Of the two axes that follow, the first becomes the arc, which starts on the second; the
-    /// second becomes the height above the cylinder. In part: rolled to less curvature.
+    /// The next axis becomes the arc, which starts on the axis after it. The axis after it becomes the height above
+    /// the cylinder. In part: rolled to less curvature.
     static Field wrap_cylinder(Axis axis, double radius) {
         return Field(GUSSET_FIELD_CYLINDER_WRAP, radius).about(axis);
     }

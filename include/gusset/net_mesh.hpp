@@ -21,19 +21,19 @@ public:
         take(context.result(gusset_net_to_mesh, net.get(), &given));
     }
 
-    /// Of each node its vertex, or none.
+    /// For each node its vertex, or UINT32_MAX.
     Indices vertex_of_node() const & { return detail::indices(report().vertex_of_node); }
     Indices vertex_of_node() const && = delete;
-    /// Of each vertex the first of its nodes.
+    /// For each vertex the first of its nodes.
     Indices node_of_vertex() const & { return detail::indices(report().node_of_vertex); }
     Indices node_of_vertex() const && = delete;
-    /// Of each face its cell: cell (i, j) is i * (columns - 1) + j.
+    /// For each face its cell: cell (i, j) is i * (columns - 1) + j.
     Indices cell_of_face() const & { return detail::indices(report().cell_of_face); }
     Indices cell_of_face() const && = delete;
     /// Edges without faces, two vertices each.
     Indices wires() const & { return detail::indices(report().wires); }
     Indices wires() const && = delete;
-    /// Of each corner of the mesh the index of its texture coordinates; empty unless requested.
+    /// For each corner of the mesh the index of its texture coordinates; empty unless requested.
     Indices texture_corners() const & { return detail::indices(report().texture_corners); }
     Indices texture_corners() const && = delete;
     /// u and v from 0 to 1: column and row.
@@ -64,10 +64,10 @@ public:
 
     /// A copy of the net.
     Net net() const { return net_; }
-    /// Of each node its vertex.
+    /// For each node its vertex.
     Indices vertex_of_node() const & { return detail::indices(view().vertex_of_node); }
     Indices vertex_of_node() const && = delete;
-    /// Of each cell its face.
+    /// For each cell its face.
     Indices face_of_cell() const & { return detail::indices(view().face_of_cell); }
     Indices face_of_cell() const && = delete;
 

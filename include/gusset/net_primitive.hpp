@@ -48,7 +48,7 @@ public:
         primitive.profile_ = std::move(profile);
         return primitive;
     }
-    /// A torus: the radius to the middle of the tube, and that of the tube.
+    /// A torus: the radius to the middle of the tube, and the radius of the tube.
     static Primitive torus(double radius, double tube_radius) {
         Primitive primitive(GUSSET_NET_TORUS, radius);
         primitive.given_.minor_radius = tube_radius;

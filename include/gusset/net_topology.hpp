@@ -28,7 +28,7 @@ public:
     bool is_orientable() const { return has(GUSSET_NET_ORIENTABLE); }
     /// Vertices - edges + faces.
     int64_t euler() const { return view().euler; }
-    /// Handles if it is orientable, else crosscaps; nothing if it is no surface.
+    /// The number of handles if orientable, otherwise of crosscaps; empty if the net is not a surface.
     std::optional<int64_t> genus() const {
         const int64_t genus = view().genus;
         return genus < 0 ? std::nullopt : std::optional<int64_t>(genus);
@@ -74,7 +74,7 @@ public:
     }
     /// The number of elements.
     std::size_t size() const { return offsets().size() - 1; }
-    /// True if the range has no elements.
+    /// True if the range is empty.
     bool empty() const { return size() == 0; }
     /// The nodes of group `i`, in order; throws std::out_of_range.
     Indices operator[](std::size_t i) const {

@@ -18,9 +18,8 @@
 
 namespace gusset::openmesh {
 
-/// A mesh of the host's as gusset sees it. Positions stay where they are, so the mesh must outlive
-/// this and keep its vertices meanwhile; OpenMesh has no array of its faces' vertices, so those are
-/// gathered here.
+/// A mesh of the host's as gusset sees it. Positions are read in place, so the mesh must outlive this object and keep
+/// its vertices; vertices of faces are copied, because OpenMesh lacks an array of them.
 template <class Mesh>
 class Input {
 public:
@@ -68,8 +67,7 @@ OpenMesh::VertexHandle add_vertex(Mesh &mesh, const std::array<double, 3> &p) {
     return mesh.add_vertex(Point(static_cast<Scalar>(p[0]), static_cast<Scalar>(p[1]), static_cast<Scalar>(p[2])));
 }
 
-/// Adds the faces of `view`, whose vertex v is the host's vertices[v]; returns those that OpenMesh
-/// refuses.
+/// Adds the faces of `view`. Its vertex v is the host's vertices[v]. Returns the faces that OpenMesh refuses.
 template <class Mesh>
 std::vector<uint32_t> add_faces(Mesh &mesh, const MeshView &view, const std::vector<OpenMesh::VertexHandle> &vertices) {
     std::vector<uint32_t> refused;
@@ -103,7 +101,8 @@ std::vector<uint32_t> append(Mesh &mesh, const MeshView &result) {
 /// Appends a whole result, and carries over what its inputs have: the normals, colours and texture coordinates that OpenMesh keeps, and
 /// properties of floats, doubles, chars, ints, shorts and longs, signed or not, and of up to four floats, doubles or ints, of
 /// vertices, halfedges and faces, by their names; others stay behind. Halfedges count as the corners that they end at. No input may be
-/// the mesh itself. Normals are turned with what is turned over, those of faces are left to update_face_normals(). `inputs`: the
+/// the mesh itself. Normals are reversed with reversed faces; normals of faces are left to update_face_normals().
+/// `inputs`: the
 /// meshes that the result was made of, in their order. Returns the faces that OpenMesh refused.
 template <class Mesh>
 std::vector<uint32_t> append(Mesh &mesh, const MeshView &result, const Origins &origins, const std::vector<const Mesh *> &inputs,
@@ -162,7 +161,7 @@ std::vector<uint32_t> append_strip(Mesh &mesh, const Stitch &stitch) {
     if (stitch.turned() || !stitch.vertex_map(1).empty()) {
         throw std::invalid_argument("gusset: the strip does not fit: the stitch is of two meshes, or turned one over");
     }
-    // Of one mesh the vertices keep their numbers; the strip's own come after those of its rims.
+    // The vertices of the mesh keep their numbers; the strip's own vertices follow the vertices of its rims.
     std::vector<OpenMesh::VertexHandle> vertices;
     for (int side : {0, 1}) {
         for (uint32_t v : stitch.rim(side)) {

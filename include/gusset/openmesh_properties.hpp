@@ -25,7 +25,7 @@ struct Values<OpenMesh::VectorT<T, N>> {
     static constexpr uint32_t count = N;
 };
 
-/// What OpenMesh has of vertices, of corners (the halfedge that ends there) and of faces.
+/// OpenMesh's properties of vertices, of corners (the halfedge that ends there) and of faces.
 struct OfVertices {
     static constexpr Domain domain = Domain::vertices;
     template <class T>
@@ -71,7 +71,7 @@ void request(Mesh &mesh, const std::string &name) {
     if (name == "f:textureindex") mesh.request_face_texture_index();
 }
 
-/// What is not carried: positions, connectivity, states, and normals of faces, which depend on where these are.
+/// Properties that are not carried: positions, connectivity, states, and normals of faces, which depend on positions.
 inline bool is_own(const std::string &name) {
     return name == "v:points" || name == "f:normals" || name.find(":status") != std::string::npos || name.find(":connectivity") != std::string::npos;
 }

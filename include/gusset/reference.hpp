@@ -79,7 +79,7 @@ public:
     static CellMask all(std::size_t rows, std::size_t columns) { return {rows, columns, ~uint64_t{0}}; }
     /// No cell of a number of rows and columns.
     static CellMask none(std::size_t rows, std::size_t columns) { return {rows, columns, 0}; }
-    /// Bit k % 64 of word k / 64 is that of cell (i, j), k = i * columns + j. Words and bits beyond
+    /// Bit k % 64 of word k / 64 belongs to cell (i, j), k = i * columns + j. Words and bits beyond
     /// the last cell are dropped.
     static CellMask from_words(std::size_t rows, std::size_t columns, std::vector<uint64_t> words) {
         CellMask made(rows, columns);
@@ -134,7 +134,7 @@ private:
         }
         return (rows * columns + 63) / 64;
     }
-    /// Clears the bits of the last word that are no cell's.
+    /// Clears the bits of the last word beyond the last cell.
     void clear_padding() {
         if (const std::size_t used = rows_ * columns_ % 64; used != 0) {
             words_.back() &= (uint64_t{1} << used) - 1;

@@ -7,7 +7,7 @@
 
 namespace gusset {
 
-/// A mesh whose vertices that lie together are one; see gusset_weld.
+/// A mesh with coincident vertices merged; see gusset_weld.
 class Weld : public Result {
 public:
     /// The index of an element that is not in the result.
@@ -19,10 +19,10 @@ public:
         take(context.result(gusset_weld, &mesh.get(), &given));
     }
 
-    /// Of each old vertex its index in the result, or none.
+    /// For each old vertex its index in the result, or UINT32_MAX.
     Indices vertex_map() const & { return detail::indices(report().vertex_map); }
     Indices vertex_map() const && = delete;
-    /// Of each old face its index in the result, or none.
+    /// For each old face its index in the result, or UINT32_MAX.
     Indices face_map() const & { return detail::indices(report().face_map); }
     Indices face_map() const && = delete;
     /// Half-edges of the old mesh: free edges that lie on another and are not sewn to it.
@@ -56,13 +56,13 @@ public:
         take(context.result(gusset_sew, &mesh.get(), &given));
     }
 
-    /// Of each old vertex its index in the result, or none.
+    /// For each old vertex its index in the result, or UINT32_MAX.
     Indices vertex_map() const & { return detail::indices(report().vertex_map); }
     Indices vertex_map() const && = delete;
-    /// Of each old face the index of the first face that it became, or none.
+    /// For each old face the index of its first face in the result, or UINT32_MAX.
     Indices face_map() const & { return detail::indices(report().face_map); }
     Indices face_map() const && = delete;
-    /// Of each face of the result, the old face that it is, or is a part of.
+    /// For each face of the result the old face that contains it.
     Indices face_origin() const & { return detail::indices(report().face_origin); }
     Indices face_origin() const && = delete;
     /// Old vertices that lie together with another, or inside a free edge, and are not sewn to it.
@@ -94,7 +94,7 @@ public:
         take(context.result(gusset_orient, &mesh.get(), &given));
     }
 
-    /// Of each face, 1 if it was turned over.
+    /// For each face 1 if it was reversed.
     Span<const uint8_t> turned() const & {
         const gusset_orient_report found = report();
         return {found.turned, found.face_count};

@@ -11,7 +11,7 @@ namespace gusset {
 struct SceneEntry {
     /// A net or a group.
     SceneEntryKind kind;
-    /// From its own space to that of its groups.
+    /// From its own space to the space of its groups.
     Transform transform;
     /// Its groups may hide it all the same.
     bool visible;

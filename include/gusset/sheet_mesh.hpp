@@ -24,7 +24,7 @@ public:
         return {all.places, all.vertex_count};
     }
     Span<const SurfacePlace> places() const && = delete;
-    /// Of each vertex the unit normal; 0 where there is none.
+    /// For each vertex the unit normal; 0 if undefined.
     Points normals() const & {
         const gusset_sheet_mesh_report all = report();
         return detail::points(all.normals, all.vertex_count);

@@ -18,7 +18,7 @@
 
 namespace gusset {
 
-/// A run of elements in memory that belongs to someone else. An empty one has no pointer.
+/// A run of elements in memory that belongs to someone else. The pointer of an empty span is null.
 template <class T>
 class Span {
 public:
@@ -35,7 +35,7 @@ public:
     T *data() const noexcept { return data_; }
     /// The number of elements.
     std::size_t size() const noexcept { return size_; }
-    /// True if the range has no elements.
+    /// True if the range is empty.
     bool empty() const noexcept { return size_ == 0; }
     /// As in the standard library.
     T &operator[](std::size_t i) const { return data_[i]; }
@@ -111,7 +111,7 @@ public:
     const Data *data() const noexcept { return data_.data(); }
     /// The number of elements.
     std::size_t size() const noexcept { return data_.size(); }
-    /// True if the range has no elements.
+    /// True if the range is empty.
     bool empty() const noexcept { return data_.empty(); }
     /// Element `i` < size().
     Wrapper operator[](std::size_t i) const { return Wrapper(data_[i]); }
@@ -139,8 +139,8 @@ struct IsSpan<Span<T>> : std::true_type {};
 template <class T>
 inline constexpr bool is_span = IsSpan<std::remove_cv_t<T>>::value;
 
-/// The type of the coordinates of a point of the host's, whose first bytes they must be: a point
-/// that has them elsewhere, as std::vector<double>, also has memory to free.
+/// The type of the coordinates of a host's point. They must be its first bytes, which excludes points that own
+/// memory, such as std::vector<double>.
 template <class Point>
 struct PointTraits {
     using Scalar = std::decay_t<decltype(std::declval<const Point &>()[0])>;

@@ -18,10 +18,10 @@ public:
     /// See ::gusset_result_get_quality.
     gusset_quality_report quality() const { return detail::lent(gusset_result_get_quality, get()); }
 
-    /// Of each old vertex of mesh 0 or 1 its index in the result.
+    /// For each old vertex of mesh 0 or 1 its index in the result.
     Indices vertex_map(int mesh) const & { return detail::indices(report().vertex_map[mesh != 0]); }
     Indices vertex_map(int mesh) const && = delete;
-    /// Of each old face of mesh 0 or 1 its index in the result.
+    /// For each old face of mesh 0 or 1 its index in the result.
     Indices face_map(int mesh) const & { return detail::indices(report().face_map[mesh != 0]); }
     Indices face_map(int mesh) const && = delete;
     /// The vertices of a rim in the result, from the first meridian on.

@@ -62,7 +62,7 @@ pub struct Comment {
 }
 
 /// Tags with free contents.
-const TAGS: [&str; 10] =
+const TAGS: [&str; 11] =
     ["return", "complexity", "threads", "source", "when", "flag", "bits", "values", "choice", "shape", "option"];
 
 impl Comment {
