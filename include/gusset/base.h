@@ -318,7 +318,6 @@ GUSSET_API gusset_status gusset_context_get_report(const struct gusset_context *
 /// Affine map: four numbers for each of x, y, z, the last one the translation.
 typedef struct gusset_transform {
     /// x' = rows[0] x + rows[1] y + rows[2] z + rows[3]; then y', then z'.
-    /// @shape 3 4
     double rows[12];
 } gusset_transform;
 

@@ -27,13 +27,11 @@ typedef struct gusset_place {
 typedef struct gusset_curve_view {
     size_t struct_size;
     /// x, y, z of control points; z is 0 for a plane curve.
-    /// @shape control_count 3
     const double *controls;
     size_t control_count;
     /// 0, then the index of each segment's last control point: segment k has the control points ends[k] to ends[k + 1].
     struct gusset_indices ends;
-    /// 1: the curve is closed.
-    /// @flag
+    /// 1: the curve is closed. @flag
     uint32_t closed;
     uint32_t reserved;
 } gusset_curve_view;
@@ -282,22 +280,17 @@ typedef struct gusset_outline_view {
     /// Points of all outlines.
     size_t point_count;
     /// x, y, z of each control point; z = 0 for plane outlines.
-    /// @shape control_count 3
     const double *controls;
     size_t control_count;
     /// Ends of segments.
     struct gusset_indices ends;
     /// 2 outline_count + 2 offsets.
-    /// @shape outline_count+1 2
     const size_t *starts;
     /// Segment of each point, in its curve.
     struct gusset_indices segments;
     /// Parameter of each point in its segment, 0 to 1.
-    /// @shape point_count
     const double *parameters;
     /// gusset_point_status of each point.
-    /// @shape point_count
-    /// @choice gusset_point_status
     const uint8_t *statuses;
 } gusset_outline_view;
 
@@ -480,24 +473,19 @@ typedef struct gusset_places gusset_places;
 typedef struct gusset_places_view {
     size_t struct_size;
     /// The places, ordered along the first curve.
-    /// @shape count
     const struct gusset_place *places;
     size_t count;
     /// x, y, z at each place.
-    /// @shape count 3
     const double *points;
     /// Intersections: places on the second curve, or later places on the same curve. Else NULL.
-    /// @shape count
     const struct gusset_place *others;
     /// Common parts, four places each: start and end on the first curve, the same on the second. For tangent angles:
     /// start and end, twice.
-    /// @shape overlap_count 4
     const struct gusset_place *overlaps;
     size_t overlap_count;
     /// Segments that lie entirely in the plane or line.
     struct gusset_indices inside;
-    /// 1: a pair of segments was not resolved, because they agree within rounding over a long part.
-    /// @flag
+    /// 1: a pair of segments was not resolved, because they agree within rounding over a long part. @flag
     uint32_t undecided;
     uint32_t reserved;
 } gusset_places_view;
@@ -580,11 +568,9 @@ typedef struct gusset_offset_report {
     double deviation;
     /// Corners of the original, bridged by straight segments.
     size_t corners;
-    /// 1: the deviation is within the tolerance.
-    /// @flag
+    /// 1: the deviation is within the tolerance. @flag
     uint32_t reached;
-    /// 1: a radius of curvature is at most the distance; the offset has cusps or runs backwards there.
-    /// @flag
+    /// 1: a radius of curvature is at most the distance; the offset has cusps or runs backwards there. @flag
     uint32_t tight;
 } gusset_offset_report;
 
@@ -649,15 +635,11 @@ typedef struct gusset_curve_form_view {
     /// Length without the final 0.
     size_t text_length;
     /// x, y, z of contour points or control points of a spline.
-    /// @shape point_count 3
     const double *points;
     size_t point_count;
-    /// Contour: 1 for a point on the curve, 0 for a point off it.
-    /// @shape point_count
-    /// @flag
+    /// Contour: 1 for a point on the curve, 0 for a point off it. @flag
     const uint8_t *on_curve;
     /// Spline: point_count + degree + 1 knots.
-    /// @shape knot_count
     const double *knots;
     size_t knot_count;
     /// Spline: degree.
@@ -712,16 +694,13 @@ typedef struct gusset_frame_options {
     gusset_correspondence_rule correspondence;
     /// ARC_LENGTH, ANGLE: nodes in a section. LANDMARKS: parts between two landmarks.
     uint32_t columns;
-    /// 1: the first section follows the last.
-    /// @flag
+    /// 1: the first section follows the last. @flag
     uint32_t ring;
     /// ARC_LENGTH. 1: closed sections start at their first points, or at the common corner after the first section's
-    /// first point.
-    /// @flag
+    /// first point. @flag
     uint32_t given_starts;
     /// 1: only constraints make corners. 0: corners are also points where the polygon turns by 40 degrees and far more
-    /// than usual, or by `corner_angle` of `across` if less than pi.
-    /// @flag
+    /// than usual, or by `corner_angle` of `across` if less than pi. @flag
     uint32_t smooth_corners;
     uint32_t reserved;
     /// ANGLE: a point of the axis.
@@ -732,7 +711,6 @@ typedef struct gusset_frame_options {
     double reference[3];
     /// ANGLE, bent axis: a point for each section, x, y, z, in place of axis_point and axis_direction. The axis follows
     /// circles through three consecutive points; the reference does not rotate about it. NULL: straight.
-    /// @shape axis_point_count 3
     const double *axis_points;
     size_t axis_point_count;
     /// LANDMARKS: for each section the same number of indices into its own points, in order.
@@ -755,21 +733,16 @@ typedef struct gusset_frame_view {
     /// Number of nodes in a section.
     size_t columns;
     /// x, y, z of each node.
-    /// @shape rows columns 3
     const double *nodes;
     /// Unit tangent of the curve across at each node, x, y, z; 0 if undefined.
-    /// @shape rows columns 3
     const double *across;
     /// Unit tangents of the curves along.
-    /// @shape rows columns 3
     const double *along;
     /// One curve for each section, owned by the frame. Node i of row k is its point k columns + i.
     const struct gusset_outline *curves_across;
     /// One curve for each column, owned by the frame. Node i of row k is its point i rows + k.
     const struct gusset_outline *curves_along;
-    /// By section: 1 if it was reversed.
-    /// @shape rows
-    /// @flag
+    /// By section: 1 if it was reversed. @flag
     const uint8_t *turned;
     /// Nodes whose half-plane meets their section several times.
     struct gusset_indices ambiguous;

@@ -406,25 +406,20 @@ typedef struct gusset_join_options {
     /// @values GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP
     gusset_orientation orientation;
     gusset_gap gap;
-    /// 1 joins whole loops only, not runs and slits.
-    /// @flag
+    /// 1 joins whole loops only, not runs and slits. @flag
     uint32_t whole_loops_only;
-    /// 1 also joins loops of one component that pairs does not name.
-    /// @flag
+    /// 1 also joins loops of one component that pairs does not name. @flag
     uint32_t within_components;
-    /// 1 fills the remaining holes.
-    /// @flag
+    /// 1 fills the remaining holes. @flag
     uint32_t fill;
     /// Widest gap to close, in the unit of the positions, finite, at least 0; 0 closes none.
     /// @when gap GUSSET_GAP_GIVEN
     double max_gap;
     /// Pairs of whole loops to join at any distance, or NULL. A pair names two loops, or a slit twice (see
     /// gusset_joint). No loop is in two pairs.
-    /// @shape pair_count
     const struct gusset_loop_pair *pairs;
     size_t pair_count;
     /// Pairs not to join, or NULL; pairs takes precedence. A vertex that is on no loop after welding excludes nothing.
-    /// @shape excluded_count
     const struct gusset_loop_pair *excluded;
     size_t excluded_count;
     /// Options of welding; NULL for the defaults.
@@ -507,14 +502,11 @@ typedef struct gusset_joint {
     /// Faces of the strip.
     size_t face_count;
     /// Pairs of intersecting faces, two indices each, as in gusset_stitch_report.
-    /// @shape * 2
     struct gusset_indices intersections;
-    /// 1 if intersections were searched for.
-    /// @flag
+    /// 1 if intersections were searched for. @flag
     uint32_t intersections_known;
     gusset_joint_outcome outcome;
-    /// 1 if both sides are whole loops.
-    /// @flag
+    /// 1 if both sides are whole loops. @flag
     uint32_t whole;
     /// Surface that was made; a strip may replace a blend.
     gusset_finish finish;
@@ -539,19 +531,15 @@ struct gusset_hole;
 typedef struct gusset_join_report {
     size_t struct_size;
     /// Indices of each piece in the result.
-    /// @shape piece_count
     const struct gusset_piece_map *pieces;
     size_t piece_count;
     /// Joints: given pairs in their order, then the others, nearest first.
-    /// @shape joint_count
     const struct gusset_joint *joints;
     size_t joint_count;
     /// Loops without a strip, even if filled later, by smallest vertex.
-    /// @shape left_count
     const struct gusset_left_loop *left;
     size_t left_count;
     /// Holes considered for filling.
-    /// @shape hole_count
     const struct gusset_hole *holes;
     size_t hole_count;
     /// Vertices of the rims of holes, in the order before components are turned outwards.
@@ -596,18 +584,14 @@ typedef struct gusset_stitch_report {
     /// Pairs (i, j) of rim indices, the matrix H; meridian k is (data[2 k], data[2 k + 1]). Whole rims of N and M
     /// vertices: from (0, 0) to (N, M), where index N is 0 again. Arcs: to (N - 1, M - 1). A step advances i or j by 1;
     /// with GUSSET_MERIDIANS_INDEX and GUSSET_MERIDIANS_QUAD also both.
-    /// @shape * 2
     struct gusset_indices meridians;
     /// The matrix P: vertices of the result, row by row from rim 0 to rim 1. One column for each meridian.
-    /// @shape row_count+2 *
     struct gusset_indices matrix;
     /// Three rim vertices for each new vertex; new vertices are the last of the result. In a row: the ends of the
     /// meridian, the one on rim 1 twice. In a blend: the corners of the strip triangle that holds the unfaired vertex.
-    /// @shape * 3
     struct gusset_indices parents;
     /// Weights of the parents, at least 0 with sum 1 for each new vertex. In row k of r: 1 - k / (r + 1), k / (r + 1),
     /// 0.
-    /// @shape parents 3
     const double *weights;
     /// First face of the strip, which comes last in the result.
     size_t strip_face_first;
@@ -615,20 +599,16 @@ typedef struct gusset_stitch_report {
     size_t strip_face_count;
     /// Interior rows, two less than in the matrix; 0 for a blend.
     uint32_t row_count;
-    /// 1 for a closed band, 0 for a strip between arcs.
-    /// @flag
+    /// 1 for a closed band, 0 for a strip between arcs. @flag
     uint32_t closed;
-    /// 1 if the component of rim 1 was reversed to agree with rim 0; its faces keep their first corners.
-    /// @flag
+    /// 1 if the component of rim 1 was reversed to agree with rim 0; its faces keep their first corners. @flag
     uint32_t turned;
-    /// 1 if intersections were searched for.
-    /// @flag
+    /// 1 if intersections were searched for. @flag
     uint32_t intersections_known;
     /// Pairs of intersecting faces of the result, two indices each: first a strip face, the larger one if both are.
     /// Shared or coincident vertices and edges do not count; any other contact does. The test is exact. Quads are split
     /// by their shorter diagonals, other polygons into fans from their first corners. A self-intersecting polygon is
     /// paired with itself.
-    /// @shape * 2
     struct gusset_indices intersections;
     /// Times that the fairing of rows, or of the kept blend, was moved back.
     uint32_t back_off_count;
@@ -756,26 +736,21 @@ typedef struct gusset_hole {
 typedef struct gusset_fill_report {
     size_t struct_size;
     /// Each given loop, or all loops as gusset_boundary_get_loop numbers them.
-    /// @shape hole_count
     const struct gusset_hole *holes;
     size_t hole_count;
     /// Vertices of all loops.
     struct gusset_indices rims;
     /// Three rim vertices for each new vertex, in the order of the new vertices.
-    /// @shape * 3
     struct gusset_indices parents;
     /// Weights of the parents, at least 0, with sum 1 for each new vertex. They give its nearest point on the plain
     /// triangulation of the rims: the vertex itself if its patch is flat, or is not faired and not creased.
-    /// @shape parents 3
     const double *weights;
     /// Pairs of intersecting faces, two indices each, ascending, the larger index first: a new face. Every contact
     /// counts, decided exactly, except at shared or coincident vertices and edges.
-    /// @shape * 2
     struct gusset_indices intersections;
     /// Faces that GUSSET_OUTWARD_CLOSED turned over, ascending. Each keeps its first corner; the others are reversed.
     struct gusset_indices turned_outwards;
-    /// 1 if intersections were looked for, otherwise 0.
-    /// @flag
+    /// 1 if intersections were looked for, otherwise 0. @flag
     uint32_t intersections_known;
     uint32_t reserved;
 } gusset_fill_report;
@@ -833,8 +808,7 @@ typedef struct gusset_fill_options {
     /// reports them, IGNORE does not look for them.
     gusset_intersections intersections;
     /// If 1, fills and turns over nothing. The report says which loops would be filled, by which weight and finish. It
-    /// does not predict failed triangulations or shared patches.
-    /// @flag
+    /// does not predict failed triangulations or shared patches. @flag
     uint32_t plan_only;
     /// Approximate limit on the new vertices of a patch, kept by larger triangles, exceeded at most twofold. 0: 50,000,
     /// or 4 for each rim vertex if more, and as many again for sharp angles there.
@@ -853,11 +827,9 @@ typedef struct gusset_fill_options {
     gusset_fill_together together;
     /// Group number of each given loop, loop_count in all. Loops with equal numbers share a patch of genus 0, without
     /// loops left open for their own reasons. NULL: see together.
-    /// @shape loop_count
     const uint32_t *groups;
     gusset_fill_continuity continuity;
-    /// If 1, creases of the old surface end at the rim.
-    /// @flag
+    /// If 1, creases of the old surface end at the rim. @flag
     uint32_t ignore_creases;
 } gusset_fill_options;
 
@@ -902,8 +874,7 @@ typedef struct gusset_strip_options {
     gusset_strip_search search;
     /// First meridian of closed polylines; open ones start at their first points.
     gusset_strip_start start;
-    /// 1 if the polylines are closed.
-    /// @flag
+    /// 1 if the polylines are closed. @flag
     uint32_t closed;
     /// Number of interior rows; the mean edge is of both polylines.
     gusset_row_rule rows;
@@ -921,16 +892,12 @@ typedef struct gusset_strip_report {
     uint32_t start[2];
     /// Pairs (i, j) of indices from start on; count is twice their number. Closed polylines of N and M points: from (0,
     /// 0) to (N, M), where index N is 0 again. Open ones: to (N - 1, M - 1).
-    /// @shape * 2
     struct gusset_indices meridians;
     /// The matrix P: vertices of the mesh, row by row from A to B, a column for each meridian.
-    /// @shape row_count+2 *
     struct gusset_indices matrix;
     /// Ends on A and B of the meridian of each new vertex; new vertices come last.
-    /// @shape * 2
     struct gusset_indices parents;
     /// Weight of each second parent, 0 to 1: k / (r + 1) in row k of r.
-    /// @shape parents
     const double *weights;
     /// Interior rows, two less than in the matrix; 0 without a face.
     uint32_t row_count;
@@ -1109,9 +1076,7 @@ typedef struct gusset_orient_options {
 /// Faces that were turned over, and components that cannot be oriented.
 typedef struct gusset_orient_report {
     size_t struct_size;
-    /// For each face, 1 if it was turned over, otherwise 0.
-    /// @shape face_count
-    /// @flag
+    /// For each face, 1 if it was turned over, otherwise 0. @flag
     const uint8_t *turned;
     size_t face_count;
     /// Smallest face of each non-orientable component, ascending.
@@ -1181,7 +1146,6 @@ typedef struct gusset_alignment_options {
     uint32_t samples;
     /// Rigid motions of the pieces, or NULL.
     /// @when start GUSSET_ALIGN_AS_GIVEN
-    /// @shape pose_count
     const struct gusset_transform *poses;
     size_t pose_count;
     /// Largest distance of matched points, in the unit of the positions, finite, at least 0. 0: a tenth of the largest
@@ -1217,8 +1181,7 @@ typedef struct gusset_overlap {
     double fit;
     /// Points on the other piece.
     uint32_t count;
-    /// 1 if count is at least 30 and fit at least 2/3, else 0.
-    /// @flag
+    /// 1 if count is at least 30 and fit at least 2/3, else 0. @flag
     uint32_t trusted;
 } gusset_overlap;
 
@@ -1226,17 +1189,14 @@ typedef struct gusset_overlap {
 typedef struct gusset_alignment_view {
     size_t struct_size;
     /// Pieces in order.
-    /// @shape piece_count
     const struct gusset_aligned_piece *pieces;
     size_t piece_count;
     /// Pairs of overlapping pieces.
-    /// @shape overlap_count
     const struct gusset_overlap *overlaps;
     size_t overlap_count;
     /// Rounds done.
     uint32_t rounds;
-    /// 1 if the pieces stopped moving, 0 if the rounds ran out.
-    /// @flag
+    /// 1 if the pieces stopped moving, 0 if the rounds ran out. @flag
     uint32_t converged;
 } gusset_alignment_view;
 
@@ -1278,7 +1238,6 @@ typedef struct gusset_trim_options {
     /// Largest angle between their normals, in radians, at least 0, below pi / 2; 0: 60 degrees.
     double max_angle;
     /// x, y, z for each piece, in the unit of the positions, or NULL. Parts seen at flat angles weigh less.
-    /// @shape viewpoint_count 3
     const double *viewpoints;
     size_t viewpoint_count;
     /// Islands of fewer faces are removed; 0: 30. The limit is 20 times as large for islands that other pieces also
@@ -1299,7 +1258,6 @@ typedef struct gusset_trimmed_piece {
 typedef struct gusset_trim_view {
     size_t struct_size;
     /// Kept faces of each piece.
-    /// @shape piece_count
     const struct gusset_trimmed_piece *pieces;
     size_t piece_count;
     /// Faces removed at last, with their neighbours, as they intersect an earlier piece.
@@ -1415,7 +1373,6 @@ typedef struct gusset_loop_view {
     /// Face beside each edge.
     struct gusset_indices faces;
     /// Properties of each edge.
-    /// @shape half_edges
     const gusset_edge_flags *edge_flags;
     /// Sum of the edge lengths.
     double length;
@@ -1444,7 +1401,6 @@ typedef struct gusset_boundary_view {
     /// Number of walks that loops were cut from. Loops that touch share a walk if it passes from one to the other.
     size_t walk_count;
     /// Degenerate faces, orientation conflicts and non-manifold edges of the mesh, and bow-ties on its boundary.
-    /// @shape defect_count
     const struct gusset_defect *defects;
     size_t defect_count;
 } gusset_boundary_view;
@@ -1676,24 +1632,19 @@ typedef struct gusset_chart {
 typedef struct gusset_develop_report {
     size_t struct_size;
     /// x, y of each vertex in the plane, always in double precision.
-    /// @shape vertex_map 2
     const double *points;
     /// Vertex of the surface for each vertex. Vertices on cuts repeat.
     struct gusset_indices vertex_map;
     /// Chart of each face.
     struct gusset_indices face_charts;
     /// Largest and smallest factor by which lengths grow, two numbers for each face.
-    /// @shape face_charts 2
     const double *stretches;
     /// Charts in the order of their first faces, side by side along x.
-    /// @shape chart_count
     const struct gusset_chart *charts;
     size_t chart_count;
     /// Cut edges of the surface, two vertices each: first given, then opening, then dart cuts.
-    /// @shape * 2
     struct gusset_indices cut_edges;
     /// GUSSET_CUT_... of each cut edge.
-    /// @choice gusset_cut_kind
     struct gusset_indices cut_kinds;
     /// Number of darts.
     uint32_t darts;
@@ -1726,11 +1677,9 @@ typedef struct gusset_facing_view {
     /// Normals C_2 - C_1 and C_1 - C_2 of the planes, equations 6 and 7.
     double normal[2][3];
     /// Distance of each vertex from the plane of its loop, positive towards the other loop.
-    /// @shape counts
     const double *distances[2];
     /// First index and number of vertices of each run of facing vertices, alternating. A run may pass the end of the
     /// loop.
-    /// @shape * 2
     struct gusset_indices runs[2];
     /// First index and number of vertices of the chosen run, as arc_a and arc_b of gusset_stitch_options.
     uint32_t taken[2][2];
@@ -1796,7 +1745,6 @@ typedef struct gusset_origins_view {
     /// Sources, numbered through all inputs.
     struct gusset_indices sources;
     /// Weight of each source, above 0, with sum 1 for each element.
-    /// @shape sources
     const double *weights;
     /// Input i has the sources starts[i] to starts[i + 1] - 1. One entry more than inputs. Inputs are the meshes,
     /// pieces or polylines in order, or the single mesh, net or sheet.

@@ -176,8 +176,7 @@ typedef struct gusset_net_gluing_report {
     size_t bridge_count;
     /// Sides, if they describe all links; else UINT32_MAX, and the matrix does.
     gusset_sides sides;
-    /// 1: faces have the opposite orientation.
-    /// @flag
+    /// 1: faces have the opposite orientation. @flag
     uint32_t reversed;
 } gusset_net_gluing_report;
 
@@ -268,23 +267,18 @@ typedef struct gusset_glue_options {
     /// For detect: largest distance of coincident nodes, at least 0 and finite.
     double tolerance;
     /// Gluings to add, at any alignment.
-    /// @shape gluing_count
     const struct gusset_gluing *gluings;
     size_t gluing_count;
     /// Links to contract, at any alignment; see contracted of gusset_net_analysis_view.
-    /// @shape link_count
     const uint32_t *links;
     size_t link_count;
     /// 1: replaces the gluing by the one that coordinates imply. It glues coincident neighbours, and coincident runs of
-    /// two or more side nodes in either direction. The orientation stays.
-    /// @flag
+    /// two or more side nodes in either direction. The orientation stays. @flag
     uint32_t detect;
     /// 1: canonical form. Every link whose ends are one point is contracted, and redundant seams are dropped. Nets that
-    /// glue equal neighbours then have equal matrices. detect implies it.
-    /// @flag
+    /// glue equal neighbours then have equal matrices. detect implies it. @flag
     uint32_t saturate;
-    /// 1: moves all nodes of a point to its first node, bit for bit.
-    /// @flag
+    /// 1: moves all nodes of a point to its first node, bit for bit. @flag
     uint32_t snap;
     uint32_t reserved;
 } gusset_glue_options;
@@ -469,7 +463,6 @@ typedef struct gusset_net_primitive {
     double size[3];
     /// Distance from the axis, at least 0, and height of each point, upwards, at any alignment. Points on the axis are
     /// poles. A closed profile makes a ring.
-    /// @shape profile_count 2
     const double *profile;
     /// Number of points, at least 2.
     size_t profile_count;
@@ -686,7 +679,6 @@ typedef struct gusset_net_measure_report {
     double centroid[3];
     /// Inertia tensor of the body about its centroid, density 1. Diagonal: integrals of y^2 + z^2 and so on; else of -x
     /// y and so on.
-    /// @shape 3 3
     double inertia[9];
 } gusset_net_measure_report;
 
@@ -738,17 +730,13 @@ typedef uint32_t gusset_net_faces;
 typedef struct gusset_net_mesh_options {
     size_t struct_size;
     gusset_net_faces faces;
-    /// 1: one vertex for each node, nothing glued; 0: glued nodes are one vertex.
-    /// @flag
+    /// 1: one vertex for each node, nothing glued; 0: glued nodes are one vertex. @flag
     uint32_t no_weld;
-    /// 1: keeps finite vertices without faces and wires.
-    /// @flag
+    /// 1: keeps finite vertices without faces and wires. @flag
     uint32_t keep_unused;
-    /// 1: a cell with exactly one missing corner becomes a triangle.
-    /// @flag
+    /// 1: a cell with exactly one missing corner becomes a triangle. @flag
     uint32_t fill_corners;
-    /// 1: computes texture coordinates.
-    /// @flag
+    /// 1: computes texture coordinates. @flag
     uint32_t texture;
     uint32_t reserved;
     /// Omits faces with edges longer than this multiple of the median edge; 0: no limit. For range images, 4 removes
@@ -766,12 +754,10 @@ typedef struct gusset_net_mesh_report {
     /// Cell of each face.
     struct gusset_indices cell_of_face;
     /// Edges without faces, two vertices each, from cells whose opposite sides are glued.
-    /// @shape * 2
     struct gusset_indices wires;
     /// For each corner of the mesh, the index of its pair in texture_coordinates; empty unless requested.
     struct gusset_indices texture_corners;
     /// Pairs (column, row), each from 0 to 1. A vertex on a seam has one pair on each side.
-    /// @shape texture_count 2
     const double *texture_coordinates;
     size_t texture_count;
 } gusset_net_mesh_report;
@@ -810,9 +796,8 @@ typedef uint32_t gusset_grid_cells;
 typedef struct gusset_net_grid_options {
     size_t struct_size;
     gusset_grid_cells cells;
-    /// 1: only the component of face must be a grid; 0: the whole mesh.
+    /// 1: only the component of face must be a grid; 0: the whole mesh. @flag
     /// @when cells GUSSET_GRID_QUADS
-    /// @flag
     uint32_t has_face;
     /// Face of the component.
     /// @when has_face 1
@@ -938,8 +923,7 @@ typedef struct gusset_net_copy_options {
     /// Columns after replication, likewise.
     size_t columns;
     /// 1: removes rows and columns that repeat the previous one. All links between both are contracted; coordinates and
-    /// links along them are equal. Two rows, two columns and the ends of bridges stay.
-    /// @flag
+    /// links along them are equal. Two rows, two columns and the ends of bridges stay. @flag
     uint32_t compact;
     /// For rows.
     gusset_replication row_replication;
@@ -1078,8 +1062,7 @@ typedef struct gusset_concatenate_options {
     uint32_t equalise_index;
     /// Rotation of each net except the first along its closed side, in nodes.
     uint32_t twist;
-    /// 1: flips nets along the side if their orientation differs from the first; 0: refuses them.
-    /// @flag
+    /// 1: flips nets along the side if their orientation differs from the first; 0: refuses them. @flag
     uint32_t turn;
     /// Inner rows or columns of each new bridge, evenly on straight lines; 0 for GUSSET_BRIDGE_WELD.
     uint32_t rows;
@@ -1158,37 +1141,28 @@ typedef struct gusset_net_analysis gusset_net_analysis;
 typedef struct gusset_net_analysis_view {
     size_t struct_size;
     /// Ratio of new to old length of each link; NaN if the old length is 0 or an end is missing.
-    /// @shape link_count
     const double *links;
     /// 2 * rows * columns.
     size_t link_count;
     /// Ratio of new to old area of each cell; NaN if the old area is 0 or the cell is absent. Negative for folds or,
     /// with fields, negative determinants.
-    /// @shape cell_count
     const double *cells;
     /// Jacobian determinant of the fields at the centre of each cell; NULL if nets are compared.
-    /// @shape cell_count
     const double *determinants;
     /// (rows - 1) * (columns - 1).
     size_t cell_count;
     /// Links that became a point and are not glued; see links of gusset_glue_options.
-    /// @shape contracted_count
     const uint32_t *contracted;
     /// For each contracted link, the local gluing of its first node once all are contracted: 0 to 17.
-    /// @shape contracted_count
-    /// @choice gusset_gluing_type
     const uint32_t *stars;
     size_t contracted_count;
     /// Glued links whose ends separated.
-    /// @shape torn_count
     const uint32_t *torn;
     size_t torn_count;
     /// Cells oriented against the majority.
-    /// @shape folded_count
     const uint32_t *folded;
     size_t folded_count;
-    /// 1: nothing is newly glued, torn or folded (a soft deformation); 0: hard.
-    /// @flag
+    /// 1: nothing is newly glued, torn or folded (a soft deformation); 0: hard. @flag
     uint32_t soft;
     uint32_t reserved;
 } gusset_net_analysis_view;
@@ -1199,7 +1173,6 @@ typedef struct gusset_net_analysis_options {
     /// Deformed net of the same size; NULL: fields deform the net.
     const struct gusset_net *after;
     /// Fields, as for gusset_net_deform.
-    /// @shape field_count
     const struct gusset_field *fields;
     /// Number of fields; 0 beside after.
     size_t field_count;
@@ -1284,19 +1257,15 @@ typedef struct gusset_net_complex_view {
     struct gusset_indices boundary_offsets;
     /// Vertices of all chains, with faces on the left.
     struct gusset_indices boundary_nodes;
-    /// For each chain: 0 for a loop, 1 if it ends at edges of three or more faces.
-    /// @flag
+    /// For each chain: 0 for a loop, 1 if it ends at edges of three or more faces. @flag
     struct gusset_indices boundary_open;
     /// Edges without faces.
-    /// @shape * 2
     struct gusset_indices wires;
     /// Edges of three or more faces.
-    /// @shape * 2
     struct gusset_indices branches;
     /// Vertices whose faces form several fans that meet only there.
     struct gusset_indices pinches;
     /// Edges that two faces traverse in the same direction.
-    /// @shape * 2
     struct gusset_indices conflicts;
 } gusset_net_complex_view;
 
@@ -1360,16 +1329,13 @@ typedef struct gusset_planarise_options {
     /// Distance of corners from their mean plane, relative to the diagonal of the bounding box; 0: 1e-10, or 4e-7 for
     /// float.
     double tolerance;
-    /// One byte for each node. 1: the node and all nodes glued to it stay; 0: it may move. NULL: all may move.
-    /// @shape fixed_count
-    /// @flag
+    /// One byte for each node. 1: the node and all nodes glued to it stay; 0: it may move. NULL: all may move. @flag
     const uint8_t *fixed;
     /// Number of bytes: rows * columns; 0 with NULL.
     size_t fixed_count;
     /// Largest number of steps; 0: 100.
     uint32_t max_iterations;
-    /// 1: boundary vertices of the surface stay.
-    /// @flag
+    /// 1: boundary vertices of the surface stay. @flag
     uint32_t keep_boundary;
 } gusset_planarise_options;
 
@@ -1392,8 +1358,7 @@ typedef struct gusset_planarise_report {
     uint64_t worst_cell;
     /// Number of steps; 0 if all cells were planar, and no bit changed.
     uint32_t iterations;
-    /// 1: deviation_after is within the tolerance; 0: approximate result.
-    /// @flag
+    /// 1: deviation_after is within the tolerance; 0: approximate result. @flag
     uint32_t converged;
 } gusset_planarise_report;
 
@@ -1418,9 +1383,7 @@ typedef struct gusset_settle_options {
     double rest_ratio;
     /// Net of equal size that gives rest lengths and shapes of rigid bridges; NULL: the net itself.
     const struct gusset_net *reference;
-    /// One byte for each part between bridges, in order: 1 moves it as a rigid body, 0 holds it. NULL holds all.
-    /// @shape free_count
-    /// @flag
+    /// One byte for each part between bridges, in order: 1 moves it as a rigid body, 0 holds it. NULL holds all. @flag
     const uint8_t *free;
     /// Number of bytes, at least the number of parts; 0 with NULL.
     size_t free_count;
@@ -1453,8 +1416,7 @@ typedef struct gusset_settle_report {
     /// Films with a cell below a millionth of the initial mean cell area.
     uint32_t collapsed;
     /// 1: no film collapsed, and the last step met the tolerance or was too small to lower the energy. 0: approximate
-    /// result.
-    /// @flag
+    /// result. @flag
     uint32_t converged;
     uint32_t reserved;
 } gusset_settle_report;
@@ -1510,7 +1472,6 @@ typedef struct gusset_net_validation gusset_net_validation;
 typedef struct gusset_net_validation_view {
     size_t struct_size;
     /// The findings.
-    /// @shape count
     const struct gusset_net_finding *findings;
     size_t count;
     size_t violation_count;

@@ -239,7 +239,6 @@ typedef struct gusset_winged_edge {
 typedef struct gusset_winged_view {
     size_t struct_size;
     /// Edges, ordered by their first half-edges, which start at M.
-    /// @shape edge_count
     const struct gusset_winged_edge *edges;
     size_t edge_count;
     /// Edge of each half-edge (position in face_corners).

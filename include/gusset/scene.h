@@ -29,8 +29,7 @@ typedef struct gusset_scene_entry_report {
     /// Entries in a group; 0 for a net.
     size_t child_count;
     gusset_scene_entry_kind kind;
-    /// 1: shown, unless an enclosing group is hidden.
-    /// @flag
+    /// 1: shown, unless an enclosing group is hidden. @flag
     uint32_t visible;
 } gusset_scene_entry_report;
 
@@ -157,8 +156,7 @@ typedef struct gusset_scene_instance {
     uint32_t entry;
     /// Instance of the enclosing group; UINT32_MAX at top level.
     uint32_t parent;
-    /// 1 unless the entry or an enclosing group is hidden.
-    /// @flag
+    /// 1 unless the entry or an enclosing group is hidden. @flag
     uint32_t visible;
     uint32_t reserved;
 } gusset_scene_instance;

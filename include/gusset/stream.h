@@ -29,8 +29,7 @@ typedef struct gusset_stream_options {
     gusset_stream_mode mode;
     /// QUANTISED: bits of a coordinate, 8 to 24; 0: 14. Else 0.
     uint32_t bits;
-    /// QUANTISED, 1: each axis has its own step; 0: the longest extent gives the step of all. Else 0.
-    /// @flag
+    /// QUANTISED, 1: each axis has its own step; 0: the longest extent gives the step of all. Else 0. @flag
     uint32_t per_axis;
     uint32_t reserved;
 } gusset_stream_options;

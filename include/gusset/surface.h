@@ -27,11 +27,9 @@ typedef struct gusset_surface_sheet {
     /// Number of corner (0, 0) among the corners of all sheets, (rows + 1) x (columns + 1) each: offset of its values
     /// for GUSSET_CONTOUR_VALUES.
     uint64_t first_node;
-    /// 1: closed in u.
-    /// @flag
+    /// 1: closed in u. @flag
     uint32_t closed_u;
-    /// 1: closed in v.
-    /// @flag
+    /// 1: closed in v. @flag
     uint32_t closed_v;
 } gusset_surface_sheet;
 
@@ -78,8 +76,7 @@ typedef struct gusset_surface_options {
     /// Length to which answers are proved, finite; 0: 1e-9 of the surface's box diagonal.
     double tolerance;
     /// 1: builds the cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle, about 0.7 bytes a
-    /// node; 0: the first such query builds them.
-    /// @flag
+    /// node; 0: the first such query builds them. @flag
     uint32_t cones;
     uint32_t reserved;
 } gusset_surface_options;
@@ -95,31 +92,22 @@ typedef struct gusset_surface_paths_view {
     size_t point_count;
     /// path_count + 1 offsets: curve k has the points ends[k] to ends[k + 1] - 1.
     struct gusset_indices ends;
-    /// By curve: 1 if closed. The first point is not repeated; append it for gusset_curve_through_create.
-    /// @shape path_count
-    /// @flag
+    /// By curve: 1 if closed. The first point is not repeated; append it for gusset_curve_through_create. @flag
     const uint32_t *closed;
     /// By curve: index of its plane, level or angle, or 0.
-    /// @shape path_count
     const uint32_t *levels;
     /// x, y, z of each point, on the surface.
-    /// @shape point_count 3
     const double *points;
     /// Unit normals, x, y, z at each point; 0 where undefined.
-    /// @shape point_count 3
     const double *normals;
     /// Places of the points.
-    /// @shape point_count
     const struct gusset_surface_place *places;
     /// For intersections: places on the second surface; else NULL.
-    /// @shape point_count
     const struct gusset_surface_place *others;
     /// Cells that may contain a tangency, a coincidence, or pieces smaller than the tolerance.
-    /// @shape unresolved_count
     const struct gusset_surface_place *unresolved;
     size_t unresolved_count;
     /// For intersections: points where the surfaces touch.
-    /// @shape contact_count
     const struct gusset_surface_contact *contacts;
     size_t contact_count;
 } gusset_surface_paths_view;
@@ -187,15 +175,10 @@ typedef struct gusset_nodes {
     /// Type of coordinates.
     gusset_scalar scalar;
     /// Interpolation through nodes.
-    /// @option
     gusset_scheme scheme;
-    /// 1: closed in u; the last row repeats the first.
-    /// @option
-    /// @flag
+    /// 1: closed in u; the last row repeats the first. @flag
     uint32_t closed_u;
-    /// 1: closed in v; the last column repeats the first.
-    /// @option
-    /// @flag
+    /// 1: closed in v; the last column repeats the first. @flag
     uint32_t closed_v;
 } gusset_nodes;
 
@@ -276,13 +259,11 @@ typedef struct gusset_surface_points gusset_surface_points;
 typedef struct gusset_surface_points_view {
     size_t struct_size;
     /// The points, nearest first.
-    /// @shape count
     const struct gusset_surface_nearest_point *points;
     size_t count;
     /// Distance below which no minimum is missing.
     double bound;
-    /// 1, or 0 if the search stopped at `bound`, as it may if the distance is constant over the surface.
-    /// @flag
+    /// 1, or 0 if the search stopped at `bound`, as it may if the distance is constant over the surface. @flag
     uint32_t complete;
     uint32_t reserved;
 } gusset_surface_points_view;
@@ -351,15 +332,13 @@ typedef struct gusset_surface_point {
     /// Principal curvatures, the greater first; positive where the surface bends towards the normal.
     double principal[2];
     /// Principal directions: two unit tangents, x, y, z each.
-    /// @shape 2 3
     double directions[6];
     /// Mean curvature.
     double mean;
     /// Gaussian curvature.
     double gaussian;
     gusset_normal_kind normal_kind;
-    /// 1: curvatures are given; 0: the surface is not regular, and they are 0.
-    /// @flag
+    /// 1: curvatures are given; 0: the surface is not regular, and they are 0. @flag
     uint32_t is_curved;
 } gusset_surface_point;
 
@@ -444,13 +423,10 @@ typedef struct gusset_surface_hits_view {
     /// Number of hits of all queries.
     size_t hit_count;
     /// query_count + 1 offsets: query k has the hits ends[k] to ends[k + 1] - 1.
-    /// @shape query_count+1
     const uint64_t *ends;
     /// The hits, by rising t in each query.
-    /// @shape hit_count
     const struct gusset_surface_hit *hits;
     /// For each hit of the curve three places on it: hit, start and end of span. Else NULL.
-    /// @shape on_curve_count/3 3
     const struct gusset_place *on_curve;
     /// Number of places on the curve.
     size_t on_curve_count;
@@ -753,7 +729,6 @@ typedef struct gusset_surface_report {
     /// Bytes of the cones of normals; 0 if not built (see gusset_surface_options).
     size_t cone_bytes;
     /// The sheets.
-    /// @shape sheet_count
     const struct gusset_surface_sheet *sheets;
 } gusset_surface_report;
 
@@ -797,20 +772,16 @@ typedef struct gusset_spline {
     uint32_t degree_u;
     /// 1 to 7.
     uint32_t degree_v;
-    /// 1: closed in u.
-    /// @flag
+    /// 1: closed in u. @flag
     uint32_t closed_u;
-    /// 1: closed in v.
-    /// @flag
+    /// 1: closed in v. @flag
     uint32_t closed_v;
     /// Weights of the control points, finite, above 0, at least 2^-900 of the greatest; NULL: all equal.
     const double *weights;
     /// Largest distance from a rational spline at equal parameters. Rounding requires about 1e-13 of the size. 0: 1e-12
     /// of the control points' box diagonal, or more where rounding requires it.
-    /// @option
     double tolerance;
     /// Maximum number of cells of a rational spline; 0: 2^20.
-    /// @option
     size_t max_cells;
 } gusset_spline;
 
@@ -827,15 +798,10 @@ typedef struct gusset_curve_net {
     size_t column_count;
     /// Largest distance between two curves where they meet, finite; both move to the middle. 0: 1e-6 of the curves' box
     /// diagonal.
-    /// @option
     double tolerance;
-    /// 1: the columns are closed, and the first row follows the last.
-    /// @option
-    /// @flag
+    /// 1: the columns are closed, and the first row follows the last. @flag
     uint32_t closed_u;
-    /// 1: the rows are closed, and the first column follows the last.
-    /// @option
-    /// @flag
+    /// 1: the rows are closed, and the first column follows the last. @flag
     uint32_t closed_v;
 } gusset_curve_net;
 
@@ -916,34 +882,25 @@ typedef struct gusset_sheet_report {
     size_t columns;
     /// Degree of the stored patches in both directions: 3 or 7.
     uint32_t degree;
-    /// 1: the sheet stores nodes; 0: it stores patches.
-    /// @flag
+    /// 1: the sheet stores nodes; 0: it stores patches. @flag
     uint32_t is_grid;
-    /// 1: closed in u.
-    /// @flag
+    /// 1: closed in u. @flag
     uint32_t closed_u;
-    /// 1: closed in v.
-    /// @flag
+    /// 1: closed in v. @flag
     uint32_t closed_v;
-    /// 1: the side u = 0 is one point, a pole.
-    /// @flag
+    /// 1: the side u = 0 is one point, a pole. @flag
     uint32_t pole_u0;
-    /// 1: the side u = rows is a pole.
-    /// @flag
+    /// 1: the side u = rows is a pole. @flag
     uint32_t pole_u1;
-    /// 1: the side v = 0 is a pole.
-    /// @flag
+    /// 1: the side v = 0 is a pole. @flag
     uint32_t pole_v0;
-    /// 1: the side v = columns is a pole.
-    /// @flag
+    /// 1: the side v = columns is a pole. @flag
     uint32_t pole_v1;
     /// Bound of the distance from a rational spline at equal parameters, rounding included; else 0.
     double deviation;
     /// For a spline: its rows + 1 rising parameters at u = 0, 1, ..., linear between; else NULL.
-    /// @shape rows+1
     const double *knots_u;
     /// For a spline: its columns + 1 parameters at v = 0, 1, ...; else NULL.
-    /// @shape columns+1
     const double *knots_v;
 } gusset_sheet_report;
 
@@ -1015,8 +972,7 @@ typedef struct gusset_sheet_mesh_options {
     uint32_t min_u;
     /// Minimum parts of each cell in v; 0: 1.
     uint32_t min_v;
-    /// 1: triangles only; 0: quads, with triangles at poles.
-    /// @flag
+    /// 1: triangles only; 0: quads, with triangles at poles. @flag
     uint32_t triangles;
     uint32_t reserved;
 } gusset_sheet_mesh_options;
@@ -1026,10 +982,8 @@ typedef struct gusset_sheet_mesh_report {
     size_t struct_size;
     size_t vertex_count;
     /// Place of each vertex; its sheet is 0.
-    /// @shape vertex_count
     const struct gusset_surface_place *places;
     /// Unit normal of each vertex: x, y, z; 0 if undefined.
-    /// @shape vertex_count 3
     const double *normals;
     /// Bound of the distance between surface and triangles, for quads divided by either diagonal.
     double deviation;
@@ -1068,24 +1022,18 @@ typedef struct gusset_surface_cells gusset_surface_cells;
 typedef struct gusset_surface_cells_view {
     size_t struct_size;
     /// Cells, sorted by sheet, row, column. Pairs: cells of the first surface, sorted by both sheets, then row, column.
-    /// @shape cell_count
     const struct gusset_surface_cell *cells;
     size_t cell_count;
     /// Cells of the second surface.
-    /// @shape cell_count
     const struct gusset_surface_cell *others;
-    /// By cell: 1 if all of it is within the radius.
-    /// @shape cell_count
-    /// @flag
+    /// By cell: 1 if all of it is within the radius. @flag
     const uint32_t *whole;
     /// One bit for each cell of all sheets, 1 in the region. Cell (i, j) of sheet k with c columns has bit b = first[k]
     /// + i * c + j: mask[b / 64] >> (b % 64) & 1.
-    /// @shape word_count
     const uint64_t *mask;
     /// Words of the mask.
     size_t word_count;
     /// First bit of each sheet, then the number of bits.
-    /// @shape sheet_count+1
     const uint64_t *first;
     size_t sheet_count;
 } gusset_surface_cells_view;

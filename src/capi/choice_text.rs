@@ -297,6 +297,11 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (16, c"The faces along the loop disagree in orientation."),
         (32, c"The loop has an edge of length 0."),
     ]),
+    ("gusset_edge_flags", &[
+        (1, c"The loop runs this edge against its face."),
+        (2, c"The edge has three or more faces."),
+        (4, c"The edge has length 0."),
+    ]),
     ("gusset_defect_kind", &[
         (1, c"A face (index) repeats a vertex (other)."),
         (2, c"The two faces of an edge run it in the same direction: half-edges index and other."),

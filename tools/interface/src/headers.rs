@@ -89,6 +89,22 @@ pub struct Body {
 /// The headers that programs include.
 pub struct Plain;
 
+/// The comment without the tags that only generators read, and with `@flag` behind the text.
+fn for_readers(comment: &Comment) -> Comment {
+    let mut comment = comment.clone();
+    let is_flag = comment.tag("flag").is_some();
+    comment.tags.retain(|(name, _)| !["flag", "shape", "option", "choice"].contains(&name.as_str()));
+    if is_flag {
+        let last = comment.text.last_mut().unwrap_or(if comment.detail.is_empty() {
+            &mut comment.brief
+        } else {
+            &mut comment.detail
+        });
+        last.push_str(" @flag");
+    }
+    comment
+}
+
 impl Style for Plain {
     fn comment(&self, _: &Source, item: &Item) -> Comment {
         item.comment.clone()
@@ -103,7 +119,7 @@ impl Style for Plain {
             && ["Number of", "How many"].iter().any(|words| comment.brief.starts_with(words));
         let usual = ["struct_size", "reserved"].contains(&name.as_str());
         let said = usual || counts || type_brief == Some(&comment.brief) && comment.is_brief();
-        (!said).then(|| comment.clone())
+        (!said).then(|| for_readers(comment))
     }
 
     fn heading(&self, source: &Source) -> String {
