@@ -8,4 +8,5 @@ mod floors;
 mod lenders;
 mod messages;
 mod modules;
+#[cfg(target_os = "linux")]
 mod options;

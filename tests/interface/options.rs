@@ -115,7 +115,6 @@ fn scratch(name: &str, fields: &str) -> PathBuf {
 }
 
 #[test]
-#[cfg(target_os = "linux")]
 fn a_field_of_the_source_is_an_option_everywhere() {
     let folder = scratch("option", FIELDS);
     let version = env!("CARGO_PKG_VERSION");
