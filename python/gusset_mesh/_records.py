@@ -55,7 +55,8 @@ def dtype_of(ctype: Any) -> np.dtype[Any]:
     if ctype.kind == "primitive":
         return np.dtype(_DTYPES[ctype.cname])
     if ctype.kind == "array":
-        return np.dtype((dtype_of(ctype.item), (ctype.length,)))
+        item = dtype_of(ctype.item)  # which may be an array itself
+        return np.dtype((item.base, (ctype.length, *item.shape)))
     fields = [(name, field) for name, field in ctype.fields if name not in _HIDDEN]
     return np.dtype({
         "names": [name for name, _ in fields],
@@ -156,8 +157,8 @@ class Record:
             flat = lent(value.data, (value.count,), np.uint32, self._owner)
             return flat.reshape(shape) if shape else flat
         if ctype.kind == "array":
-            dtype, sizes = dtype_of(ctype).subdtype or (np.dtype(np.uint8), ())
-            return lent(ffi.addressof(value), sizes, dtype, self._owner).reshape(shape or sizes)
+            whole = dtype_of(ctype)
+            return lent(ffi.addressof(value), whole.shape, whole.base, self._owner).reshape(shape or whole.shape)
         # An optional array that is missing is NULL.
         return lent(value, shape if value else (0, *shape[1:]), dtype_of(ctype.item), self._owner)
 
