@@ -10,8 +10,10 @@ import pytest
 import shapes
 
 import gusset_mesh as gm
+from gusset_mesh._handles import create
 from gusset_mesh._library import ffi, lib
 from gusset_mesh._records import Record, RecordArray
+from gusset_mesh._reports import FacingView
 
 TUBE = shapes.tube()
 NET = gm.Net(shapes.grid(6, 9, lambda u, v: u * v))
@@ -138,6 +140,19 @@ def test_rows_and_meridians_of_a_stitch():
         assert np.array_equal(rim[report.meridians[:, side]], report.matrix[-side])
     plain = gm.stitch(shapes.cap(), shapes.cap(-1), finish="blend").report
     assert plain.finish == "blend" and plain.parents.shape[1] == 3
+
+
+def test_arrays_of_arrays_and_their_counts():
+    angle = np.linspace(0, 2 * np.pi, 12, endpoint=False) + 0.1
+    loops = [np.stack([radius * np.cos(angle[::step]), radius * np.sin(angle[::step]), height + 0.1 * np.cos(angle[::step])], axis=1)
+             for radius, step, height in ((1.0, 1, 0.0), (2.0, 2, 3.0))]
+    given = [argument for loop in loops for argument in (ffi.cast("double *", loop.ctypes.data), len(loop))]
+    view = FacingView.read(create("facing", *given, ffi.NULL))
+    assert view.centre.dtype == np.float64 and np.allclose(view.centre, [loop.mean(axis=0) for loop in loops], atol=1e-12)
+    assert np.allclose(view.normal[0], -view.normal[1]) and view.taken.shape == (2, 2)
+    for loop, centre, normal, distances, runs in zip(loops, view.centre, view.normal, view.distances, view.runs):
+        assert np.allclose(distances, (loop - centre) @ normal / np.linalg.norm(normal), atol=1e-12) and len(distances) == len(loop)
+        assert runs[:, 1].sum() == (distances > 0).sum()
 
 
 def test_words_and_bits_are_the_constants():
