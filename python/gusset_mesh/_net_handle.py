@@ -1,0 +1,55 @@
+"""What all parts of the class Net need: a handle of a net that nobody changes."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+
+from ._call import Progress, call
+from ._exchange import sized
+from ._handles import Handle, create
+from ._library import lib
+from .errors import error
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+
+class NetHandle(Handle):
+    """Owns a net. A call that changes a net in C changes a copy here: nets may be used by many threads, and what they lend stays."""
+
+    @classmethod
+    def _of(cls, handle: Any) -> Self:
+        made = cls.__new__(cls)
+        Handle.__init__(made, handle)
+        return made
+
+    def _copied(self, **fields: int) -> Self:
+        """A copy that is changed as fields of gusset_net_copy_options say."""
+        return self._of(create("net", self._handle, sized("gusset_net_copy_options", **fields), name="net_copy"))
+
+    def _changed(self, function: Any, *arguments: Any, threads: int = 0, progress: Optional[Progress] = None) -> Self:
+        """A copy that a function of C has changed."""
+        copy = self._copied()
+        call(function, copy._handle, *arguments, threads=threads, progress=progress)
+        return copy
+
+    @cached_property
+    def _view(self) -> Any:
+        view = sized("gusset_net_view")
+        status = lib.gusset_net_get_view(self._handle, view)
+        if status != 0:
+            raise error(status, "")
+        return view
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns of nodes."""
+        return int(self._view.rows), int(self._view.columns)
+
+    @property
+    def dtype(self) -> np.dtype[Any]:
+        """The type of coordinates."""
+        return np.dtype(np.float32 if self._view.scalar == lib.GUSSET_F32 else np.float64)

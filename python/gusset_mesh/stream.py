@@ -1,0 +1,51 @@
+"""Streams of nets that arrive in pieces."""
+
+from __future__ import annotations
+
+from typing import Any, Optional
+
+from ._arrays import pointer
+from ._call import Progress, call
+from ._exchange import index
+from ._exclusive import Exclusive
+from ._handles import Handle, create
+from ._library import ffi, lib
+from .encoding import bytes_of
+from .net import Net
+
+__all__ = ["StreamDecoder"]
+
+
+class StreamDecoder(Exclusive, Handle):
+    """Decodes a stream of :meth:`Net.encode` while it arrives.
+
+    Args:
+        node_limit: no more nodes than this; 0: as many as there are. Memory is allocated before the stream is complete.
+
+    >>> import gusset_mesh as gm
+    >>> data, decoder = gm.Net.primitive(shape="sphere", radius=1).encode(rows_per_block=8), StreamDecoder()
+    >>> rows = [decoder.push(data[k:k + 500]) for k in range(0, len(data), 500)]
+    >>> rows[-1], decoder.finish().shape
+    (33, (33, 65))
+    """
+
+    def __init__(self, node_limit: int = 0):
+        Exclusive.__init__(self)
+        Handle.__init__(self, create("stream_decoder", index(node_limit, "node_limit", 64)))
+
+    def push(self, data: Any, *, threads: int = 0) -> int:
+        """Takes the next bytes; returns the number of complete rows so far."""
+        array, done = bytes_of(data), ffi.new("size_t *")
+        with self._alone():
+            call(lib.gusset_stream_decoder_push, self._handle, pointer(array), array.size, done, threads=threads)
+        return int(done[0])
+
+    def preview(self, *, threads: int = 0, progress: Optional[Progress] = None) -> Net:
+        """The complete rows as a net without gluing and bridges."""
+        with self._alone():
+            return Net._of(create("net", self._handle, name="stream_decoder_preview", threads=threads, progress=progress))
+
+    def finish(self, *, threads: int = 0, progress: Optional[Progress] = None) -> Net:
+        """The whole net; the decoder is empty again."""
+        with self._alone():
+            return Net._of(create("net", self._handle, name="stream_decoder_finish", threads=threads, progress=progress))
