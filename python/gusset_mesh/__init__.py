@@ -49,7 +49,7 @@ from .mesh import Mesh, MeshLike, as_mesh
 from .net import Net, NetMesh
 from .outline import Curve, Outline, Places, find_sections
 from .querying import Line, Plane, SurfaceCells, SurfacePoints
-from .reshaping import Decimated, NetGrid
+from .reshaping import DecimatedNet, NetGrid
 from .scene import Scene
 from .stream import StreamDecoder
 from .surface import Sheet, SheetMesh, Surface, SurfaceHits, SurfacePaths
@@ -73,7 +73,7 @@ __all__ = [
     "choices", "develop", "fill", "filters", "join", "orient", "sew", "stitch", "trim", "weld",
 ]
 __all__ += [
-    "Bridge", "BridgeProperties", "CurvePoints", "CurveSpline", "Decimated", "DistanceReport", "Facing", "FacingOptions", "FacingView", "Field",
+    "Bridge", "BridgeProperties", "CurvePoints", "CurveSpline", "DecimatedNet", "DistanceReport", "Facing", "FacingOptions", "FacingView", "Field",
     "Frame", "FrameOptions", "FrameView", "Gluing", "GluingOccurrence", "GluingOccurrenceArray", "Line", "LocalGluing", "NearestAngleReport",
     "NetAnalysis", "NetAnalysisView", "NetComplex", "NetComplexView", "NetFinding", "NetFindingArray", "NetGrid", "NetGridView", "NetGroups",
     "NetGroupsView", "NetPlanarityReport", "NetPrimitive", "NetValidation", "NetValidationView", "OutlineReport", "PlanariseOptions",

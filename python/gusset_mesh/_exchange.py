@@ -1,4 +1,4 @@
-"""Numbers, arrays and structs that go into a call, and those that it fills."""
+"""Converts numbers, arrays and structs for calls, and makes those that a call fills."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ LINE = dtype_of(ffi.typeof("struct gusset_line"))
 
 
 def vector(values: ArrayLike, name: str = "vector") -> list[float]:
-    """Three numbers."""
+    """Returns three numbers."""
     array = np.asarray(values, np.float64)
     if array.shape != (3,):
         raise ValueError(f"{name} has the shape {array.shape}, not (3,)")
@@ -33,7 +33,7 @@ def vector(values: ArrayLike, name: str = "vector") -> list[float]:
 
 
 def index(value: Any, name: str, bits: int = 32) -> int:
-    """A whole number that C takes as an unsigned integer."""
+    """Returns a whole number that fits an unsigned integer of C."""
     number = operator.index(value)
     if not 0 <= number < 2**bits:
         raise ValueError(f"{name} is {number}, which is not from 0 to 2^{bits} - 1")
@@ -41,7 +41,7 @@ def index(value: Any, name: str, bits: int = 32) -> int:
 
 
 def numbers(values: ArrayLike, shape: tuple[int, ...], name: str) -> NDArray[np.float64]:
-    """Packed 64-bit floats of a shape, in which -1 is any length; the same array where it can be."""
+    """Returns packed 64-bit floats of a shape, in which -1 is any length. Copies only if necessary."""
     array = np.ascontiguousarray(values, np.float64)
     if array.ndim != len(shape) or any(wanted not in (-1, got) for wanted, got in zip(shape, array.shape)):
         wanted_shape = ", ".join("n" if one < 0 else str(one) for one in shape)
@@ -50,7 +50,7 @@ def numbers(values: ArrayLike, shape: tuple[int, ...], name: str) -> NDArray[np.
 
 
 def curve_places(values: CurvePlaces) -> PlaceArray:
-    """Places on a curve, packed."""
+    """Returns places on a curve, packed."""
     if isinstance(values, PlaceArray):
         return PlaceArray(np.ascontiguousarray(values.array).reshape(-1))
     given = np.asarray(values, np.float64).reshape(-1)
@@ -62,7 +62,7 @@ def curve_places(values: CurvePlaces) -> PlaceArray:
 
 
 def lines_of(origins: ArrayLike, directions: ArrayLike, start: Any, end: Any) -> NDArray[Any]:
-    """Lines, rays or segments: (n, 3) origins and directions, which are broadcast, and the parameters between which each runs."""
+    """Makes lines, rays or segments from (n, 3) origins and directions, which are broadcast, and from a range of parameters."""
     starts, along = (np.atleast_2d(np.asarray(one, np.float64)) for one in (origins, directions))
     if starts.ndim != 2 or starts.shape[1] != 3 or along.ndim != 2 or along.shape[1] != 3:
         raise ValueError(f"origins and directions have the shapes {starts.shape} and {along.shape}, not (n, 3)")
@@ -73,19 +73,19 @@ def lines_of(origins: ArrayLike, directions: ArrayLike, start: Any, end: Any) ->
 
 
 def sized(struct: str, **fields: Any) -> Any:
-    """A struct that begins with its size."""
+    """Makes a struct that begins with its size."""
     return ffi.new(f"struct {struct} *", {"struct_size": ffi.sizeof(f"struct {struct}"), **fields})
 
 
 def answer(kind: type[R], function: Any, *arguments: Any, threads: int = 0, progress: Optional[Progress] = None) -> R:
-    """The report that a call fills, which is its last argument."""
+    """Calls a function whose last argument is a report, and returns the report."""
     made = kind.new()
     call(function, *arguments, made._struct, threads=threads, progress=progress)
     return made
 
 
 def listed(kind: type[A], function: Any, *arguments: Any) -> A:
-    """The structs that a call lists: it is asked for their number first."""
+    """Calls a function that lists structs: first for their number, then for the structs."""
     written = ffi.new("size_t *")
     call(function, *arguments, ffi.NULL, 0, written)
     out = kind.zeros(written[0])
@@ -95,7 +95,7 @@ def listed(kind: type[A], function: Any, *arguments: Any) -> A:
 
 
 def handle_of(kind: str, given: Any) -> Any:
-    """The handle of an object of a kind."""
+    """Returns the handle of an object of a kind."""
     handle = getattr(given, "_handle", None)
     if handle is None or ffi.typeof(handle) is not ffi.typeof(f"struct gusset_{kind} *"):
         raise TypeError(f"a {kind} is wanted, not a {type(given).__name__}")
@@ -103,5 +103,5 @@ def handle_of(kind: str, given: Any) -> Any:
 
 
 def handles_of(kind: str, given: Sequence[Any]) -> Any:
-    """An array of handles, which the objects must outlive."""
+    """Makes an array of handles. The objects must outlive the array."""
     return ffi.new(f"struct gusset_{kind} *[]", [handle_of(kind, one) for one in given] or 1)

@@ -1,4 +1,4 @@
-"""Objects that calls change: one call at a time uses each."""
+"""Locks objects that calls change."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from contextlib import contextmanager
 
 
 class Exclusive:
-    """Other threads wait for their turn; a callback of a call cannot use the object that the call uses."""
+    """An object that one call at a time uses. Other threads wait; a callback of the call gets a RuntimeError."""
 
     def __init__(self) -> None:
         self._lock = threading.RLock()

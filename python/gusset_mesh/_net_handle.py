@@ -1,4 +1,4 @@
-"""What all parts of the class Net need: a handle of a net that nobody changes."""
+"""The base of all parts of the class Net."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class NetHandle(Handle):
-    """Owns a net. A call that changes a net in C changes a copy here: nets may be used by many threads, and what they lend stays."""
+    """Owns a net, which never changes: a function of C that changes a net is applied to a copy. Many threads may use one net."""
 
     @classmethod
     def _of(cls, handle: Any) -> Self:
@@ -27,11 +27,11 @@ class NetHandle(Handle):
         return made
 
     def _copied(self, **fields: int) -> Self:
-        """A copy that is changed as fields of gusset_net_copy_options say."""
+        """Makes a copy, changed by the fields of gusset_net_copy_options."""
         return self._of(create("net", self._handle, sized("gusset_net_copy_options", **fields), name="net_copy"))
 
     def _changed(self, function: Any, *arguments: Any, threads: int = 0, progress: Optional[Progress] = None) -> Self:
-        """A copy that a function of C has changed."""
+        """Makes a copy, and applies a function of C to it."""
         copy = self._copied()
         call(function, copy._handle, *arguments, threads=threads, progress=progress)
         return copy

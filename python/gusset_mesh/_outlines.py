@@ -1,4 +1,4 @@
-"""Outlines as the library takes them: points, and demands on the curves through them."""
+"""Makes the structs of outlines: points, and constraints on the curves through them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ._library import ffi, holding, lib
 
 
 def in_space(points: ArrayLike) -> NDArray[np.float64]:
-    """Points (n, 3); of (n, 2) z is 0."""
+    """Returns points (n, 3); points (n, 2) get z = 0."""
     array = np.asarray(points, np.float64)
     if array.ndim != 2 or array.shape[1] not in (2, 3):
         raise ValueError(f"points have the shape {array.shape}, not (n, 2) or (n, 3)")
@@ -24,7 +24,7 @@ def outlines_of(
     points: ArrayLike, closed: bool, tangents: Optional[Mapping[int, ArrayLike]] = None, corners: ArrayLike = (),
     offsets: Optional[NDArray[np.uint32]] = None,
 ) -> Any:
-    """A gusset_outlines of points (n, 2) or (n, 3): one outline, or several that begin at offsets."""
+    """Makes a gusset_outlines from points (n, 2) or (n, 3): one outline, or several that begin at offsets."""
     array = np.asarray(points, np.float64)
     if array.ndim != 2 or array.shape[1] not in (2, 3):
         raise ValueError(f"points have the shape {array.shape}, not (n, 2) or (n, 3)")
@@ -55,7 +55,7 @@ def outlines_of(
 
 
 def sections_of(sections: Sequence[ArrayLike], closed: bool) -> Any:
-    """The same of consecutive sections of a body, each (n, 2) or (n, 3)."""
+    """Makes a gusset_outlines from consecutive sections of a body, each (n, 2) or (n, 3)."""
     parts = [np.asarray(one, np.float64) for one in sections]
     if not parts or any(one.ndim != 2 or one.shape[1] != parts[0].shape[-1] for one in parts):
         raise ValueError("sections are arrays (n, 3), or all of them (n, 2)")

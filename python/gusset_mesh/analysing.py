@@ -1,4 +1,4 @@
-"""What nets are: measures, normals, planarity, defects, and what a deformation does to them."""
+"""Analyses nets: normals, planarity, topology, defects, and the effects of a deformation."""
 
 from __future__ import annotations
 
@@ -22,58 +22,58 @@ __all__ = ["NetAnalysis", "NetComplex", "NetValidation"]
 
 
 class NetAnalysis(Reported[NetAnalysisView]):
-    """Effects of a deformation: in the report ``links`` and ``cells`` have ratios of lengths and areas, ``contracted``, ``torn`` and ``folded`` elements."""
+    """The effects of a deformation: ratios of lengths and areas; contracted, torn and folded elements."""
 
     REPORT = NetAnalysisView
 
     @property
     def is_soft(self) -> bool:
-        """Nothing is newly glued, torn or folded."""
+        """Whether nothing is newly glued, torn or folded."""
         return self.report.soft
 
 
 class NetComplex(Reported[NetComplexView]):
-    """The surface of a net with glued nodes merged: in the report counts, ``euler``, ``genus``, chains of boundary edges, and defects."""
+    """The surface of a net with glued nodes merged: counts, Euler characteristic, genus, boundary, defects."""
 
     REPORT = NetComplexView
 
     @property
     def is_closed(self) -> bool:
-        """It has no boundary edges."""
+        """Whether it lacks boundary edges."""
         return "closed" in self.report.properties
 
     @property
     def is_manifold(self) -> bool:
-        """It has no wires, branches and pinches; it may have a boundary."""
+        """Whether it lacks wires, branches and pinches. It may have a boundary."""
         return "manifold" in self.report.properties
 
     @property
     def is_oriented(self) -> bool:
-        """Its faces are oriented consistently."""
+        """Whether its faces are oriented consistently."""
         return "oriented" in self.report.properties
 
     @property
     def is_orientable(self) -> bool:
-        """Its faces are oriented consistently once some are reversed."""
+        """Whether its faces are consistent after reversal of some."""
         return "orientable" in self.report.properties
 
 
 class NetValidation(Reported[NetValidationView]):
-    """What is wrong or suspicious in the gluing of a net: ``findings``, violations first."""
+    """The findings of a validation: violations, then warnings."""
 
     REPORT = NetValidationView
 
     @property
     def is_valid(self) -> bool:
-        """Glued nodes coincide."""
+        """Whether all glued nodes coincide."""
         return not self.report.violation_count
 
 
 class NetAnalysing(NetHandle):
-    """The part of :class:`Net` that tells what a net is."""
+    """The part of :class:`Net` that analyses it."""
 
     def normals(self, *, threads: int = 0, progress: Optional[Progress] = None) -> NDArray[Any]:
-        """(rows, columns, 3): unit normals at the nodes, zeros where there is none. Nodes of one point have one normal.
+        """Computes the unit normals (rows, columns, 3) of all nodes. Glued nodes have one normal; a node without a normal gets zeros.
 
         >>> import numpy as np, gusset_mesh as gm
         >>> ball = gm.Net.primitive(shape="sphere", radius=2, rows=65, columns=129)
@@ -86,13 +86,13 @@ class NetAnalysing(NetHandle):
         return np.moveaxis(out, 0, 2)
 
     def planarity(self, tolerance: float = 0.0) -> tuple[NDArray[np.float64], NetPlanarityReport]:
-        """How far cells are from planar: the distance of their corners from their mean plane, divided by the longer diagonal.
+        """Measures the planarity of all cells: distance of the corners from their mean plane, divided by the longer diagonal.
 
         Args:
-            tolerance: for ``above`` in the report.
+            tolerance: the report counts the cells above it.
 
         Returns:
-            (rows - 1, columns - 1) deviations, NaN where a cell is absent; and a report: ``worst``, ``worst_cell``, ``mean``, ``above``.
+            (rows - 1, columns - 1) deviations, NaN for absent cells, and a report.
         """
         rows, columns = self.shape
         cells, written, report = np.zeros((rows - 1, columns - 1)), ffi.new("size_t *"), NetPlanarityReport.new()
@@ -100,7 +100,7 @@ class NetAnalysing(NetHandle):
         return cells, report
 
     def complex(self, cells: NetCells = "all", *, threads: int = 0, progress: Optional[Progress] = None) -> NetComplex:
-        """The surface with glued nodes merged, of all cells or of those that are present.
+        """Determines the surface with glued nodes merged, of all cells or of those that are present.
 
         >>> import gusset_mesh as gm
         >>> bottle = gm.Net.primitive(shape="klein", radius=2, minor_radius=0.7).complex()
@@ -110,18 +110,18 @@ class NetAnalysing(NetHandle):
         return NetComplex(create("net_complex", self._handle, number_of("gusset_net_cells", "cells", cells), threads=threads, progress=progress))
 
     def validation(self, tolerance: float = 0.0) -> NetValidation:
-        """Whether glued nodes coincide within a tolerance, and what gluing is suspicious."""
+        """Checks that glued nodes coincide within a tolerance, and warns of suspicious gluing."""
         return NetValidation(create("net_validation", self._handle, float(tolerance)))
 
     def analysis(
         self, after: Optional[NetHandle] = None, *, fields: Sequence[Field] = (), time: float = 0.0, tolerance: float = 0.0, threads: int = 0,
         progress: Optional[Progress] = None,
     ) -> NetAnalysis:
-        """What a deformation glues, tears, folds and stretches.
+        """Finds what a deformation glues, tears, folds and stretches.
 
         Args:
-            after: the deformed net, of the same size; or
-            fields: fields that deform it, at a time.
+            after: deformed net of equal size; None: ``fields`` deform this net.
+            fields, time: as for :meth:`Net.deform`.
             tolerance: lengths up to this count as 0.
         """
         chain, count = fields_of(fields)

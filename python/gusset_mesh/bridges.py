@@ -1,4 +1,4 @@
-"""Bridges between nets that are joined into one: what they are, at rest under forces, and split again."""
+"""Bridges between joined nets: their properties, their equilibrium, and how to split them."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 
 
 class NetBridges(NetHandle):
-    """The part of :class:`Net` that deals with its bridges; :meth:`Net.concatenate` makes them."""
+    """The part of :class:`Net` that deals with bridges, which :meth:`Net.concatenate` makes."""
 
     def bridges(self) -> list[Bridge]:
-        """Its bridges: where each is, its mode, and its properties."""
+        """Lists the bridges: place, mode and properties of each."""
         count = NetGluingReport.read(self._handle, ffi.NULL, 0, ffi.NULL, 0)._struct.bridge_count
         return [Bridge.read(self._handle, k) for k in range(count)]
 
@@ -31,13 +31,13 @@ class NetBridges(NetHandle):
         self, bridge: int, mode: BridgeMode = "keep", *, tolerance: float = 0.0, tension: Optional[float] = None,
         elasticity: Optional[float] = None, stiffness: Optional[float] = None, user: Optional[int] = None
     ) -> Self:
-        """The net with another mode and other properties of a bridge.
+        """Changes the mode and the properties of a bridge.
 
         Args:
-            bridge: its number.
-            mode: its cells are ordinary, absent, or its two sides become one.
-            tolerance: for welding: the largest distance of nodes that lie together.
-            tension, elasticity, stiffness, user: as in C; None: as they are.
+            bridge: index of the bridge.
+            mode: the cells are ordinary (keep) or absent (hide), or both sides become one (weld).
+            tolerance: for welding: largest distance of coincident nodes.
+            tension, elasticity, stiffness, user: new properties; None: unchanged.
         """
         given = {"tension": tension, "elasticity": elasticity, "stiffness": stiffness, "user": user}
         properties = ffi.NULL
@@ -49,10 +49,11 @@ class NetBridges(NetHandle):
             properties = ffi.new("struct gusset_bridge_properties *")
             for name, value in given.items():
                 setattr(properties, name, getattr(old, name) if value is None else value)
-        return self._changed(lib.gusset_net_set_bridge, index(bridge, "bridge", 64), number_of("gusset_bridge_mode", "mode", mode), float(tolerance), properties)
+        return self._changed(lib.gusset_net_set_bridge, index(bridge, "bridge", 64), number_of("gusset_bridge_mode", "mode", mode),
+                             float(tolerance), properties)
 
     def split(self, bridge: int) -> tuple[Self, Self]:
-        """The two nets on both sides of a bridge that runs from side to side; the inverse of :meth:`Net.concatenate`.
+        """Splits the net at a bridge that runs from side to side: the inverse of :meth:`Net.concatenate`.
 
         >>> import gusset_mesh as gm
         >>> sheet = gm.Net.primitive(shape="plane", size=(1, 1, 1), rows=3, columns=4)
@@ -71,8 +72,8 @@ class NetBridges(NetHandle):
         """Moves inner nodes of bridges, and free parts, to the equilibrium of the bridges' properties.
 
         Args:
-            reference: a net of the same size, which gives rest lengths; None: this net.
-            options: ``free`` has a truth value for each part between bridges.
+            reference: net of equal size that gives the rest lengths; None: this net.
+            options: ``free`` has one flag for each part between bridges: True moves it as a rigid body.
 
         Returns:
             the net, and a report: ``converged``, energies, ``residual_force`` and more.

@@ -1,4 +1,4 @@
-"""Places on curves, and what makes curves of curves."""
+"""Evaluates, intersects, cuts and exports curves."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Places(Reported[PlacesView]):
 
 
 class CurvePoints(NamedTuple):
-    """What a curve is at n places."""
+    """Derivatives, tangents and curvatures at n places."""
 
     #: (n, order + 1, 3): points, then derivatives by the parameter of the segment.
     derivatives: NDArray[np.float64]
@@ -54,16 +54,16 @@ class CurveSpline(NamedTuple):
 
 
 class CurveQueries(Reported[CurveView]):
-    """The part of :class:`Curve` that evaluates, cuts and changes curves.
+    """The part of :class:`Curve` that evaluates, intersects, cuts and exports curves.
 
-    Places are what the library gave, or numbers ``segment + t``: 2.5 is the middle of the third segment.
+    Places are a :class:`PlaceArray` or numbers ``segment + t``: 2.5 is t = 0.5 on the third segment.
     """
 
     REPORT = CurveView
 
     @classmethod
     def from_controls(cls, controls: ArrayLike, ends: Optional[ArrayLike] = None, *, closed: bool = False) -> Self:
-        """The curve of Bezier segments with these control points.
+        """Makes a curve of Bezier segments from control points.
 
         Args:
             controls: (n, 2) or (n, 3); the last control point of a segment is the first of the next.
@@ -82,7 +82,7 @@ class CurveQueries(Reported[CurveView]):
                           int(bool(closed))))
 
     def evaluate(self, places: CurvePlaces, order: int = 0) -> CurvePoints:
-        """Points, derivatives up to an order, unit tangents and curvatures at places."""
+        """Computes points, derivatives up to an order, unit tangents and curvatures at places."""
         at, order = curve_places(places), index(order, "order")
         derivatives = np.zeros((len(at), min(order, 64) + 1, 3))
         tangents, curvatures = np.zeros((len(at), 3)), np.zeros(len(at))
@@ -91,14 +91,14 @@ class CurveQueries(Reported[CurveView]):
         return CurvePoints(derivatives, tangents, curvatures)
 
     def lengths_at(self, places: CurvePlaces) -> NDArray[np.float64]:
-        """The arc lengths from the start to places."""
+        """Computes the arc lengths from the start to places."""
         at = curve_places(places)
         out = np.zeros(len(at))
         call(lib.gusset_curve_lengths_at, self._handle, at.pointer(), len(at), ffi.cast("double *", pointer(out)))
         return out
 
     def places_at(self, lengths: ArrayLike) -> PlaceArray:
-        """The places at arc lengths from the start; beyond the ends they are the ends.
+        """Finds the places at arc lengths from the start, clamped to the ends.
 
         >>> import gusset_mesh as gm
         >>> line = gm.Curve.from_controls([[0, 0], [4, 0]])
@@ -111,22 +111,22 @@ class CurveQueries(Reported[CurveView]):
         return out
 
     def intersect_plane(self, point: ArrayLike, normal: ArrayLike) -> Places:
-        """The places where the curve crosses or touches a plane."""
+        """Finds the places where the curve crosses or touches a plane."""
         return Places(create("places", self._handle, vector(point, "point"), vector(normal, "normal"), name="curve_intersect_plane"))
 
     def intersect_line(
         self, origin: ArrayLike, direction: ArrayLike, within: float = 0.0, *, start: float = -np.inf, end: float = np.inf
     ) -> Places:
-        """The places where the curve meets a line, or comes as near to it as ``within``; ``report.others.t`` are the line's parameters."""
+        """Finds the places where the curve meets a line, or is within a distance of it. ``report.others.t`` has the line's parameters."""
         line = lines_of([vector(origin, "origin")], [vector(direction, "direction")], start, end)
         return Places(create("places", self._handle, ffi.cast("struct gusset_line *", pointer(line)), float(within), name="curve_intersect_line"))
 
     def tangent_angle(self, direction: ArrayLike, angle: float) -> Places:
-        """The places where the tangent makes an angle, 0 to pi, with a direction."""
+        """Finds the places where the tangent makes an angle, 0 to pi, with a direction."""
         return Places(create("places", self._handle, vector(direction, "direction"), float(angle), name="curve_tangent_angle"))
 
     def part(self, start: CurvePlaces, end: CurvePlaces) -> Self:
-        """The part between two places; on a closed curve it may pass the start.
+        """Cuts out the part between two places. On a closed curve it may pass the start.
 
         >>> import gusset_mesh as gm
         >>> gm.Curve.from_controls([[0, 0], [4, 0]]).part(0.25, 0.75).length
@@ -135,7 +135,7 @@ class CurveQueries(Reported[CurveView]):
         return type(self)(create("curve", self._handle, self._place(start), self._place(end), name="curve_part"))
 
     def _place(self, given: CurvePlaces) -> Any:
-        """One place. A curve of n segments ends at segment n - 1, t = 1."""
+        """Returns one place. A curve of n segments ends at segment n - 1, t = 1."""
         at = curve_places(given)
         if len(at) != 1:
             raise ValueError(f"one place is wanted, not {len(at)}")
@@ -145,11 +145,11 @@ class CurveQueries(Reported[CurveView]):
         return ffi.new("struct gusset_place *", {"segment": int(at.segment[0]), "t": float(at.t[0])})[0]
 
     def reverse(self) -> Self:
-        """The curve from its end to its start."""
+        """Reverses the curve."""
         return type(self)(create("curve", self._handle, name="curve_reverse"))
 
     def change_degree(self, lowest: int = 1, highest: int = 64, tolerance: float = np.inf) -> tuple[Self, NDArray[np.float64]]:
-        """The curve with segments of other degrees: raised exactly, lowered where a tolerance allows it.
+        """Raises and lowers the degrees of segments. Raising is exact; lowering keeps the tolerance.
 
         Returns:
             the curve, and a bound of each segment's deviation.
@@ -164,19 +164,19 @@ class CurveQueries(Reported[CurveView]):
         return CurveFormView.read(made)
 
     def svg(self) -> str:
-        """The data of an SVG path; for plane curves up to degree 3."""
+        """Exports a plane curve up to degree 3 as the data of an SVG path."""
         return self._exported(lib.GUSSET_CURVE_FORMAT_SVG).text
 
     def contour(self, tolerance: float = 0.0) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-        """The TrueType contour of a closed plane curve up to degree 2: (n, 3) points, and which of them are on the curve.
+        """Exports a closed plane curve up to degree 2 as a TrueType contour: (n, 3) points, and whether each is on the curve.
 
         Args:
-            tolerance: a joint that is so near the middle of its neighbours is omitted.
+            tolerance: distance from the middle of its neighbours within which a joint is omitted.
         """
         form = self._exported(lib.GUSSET_CURVE_FORMAT_CONTOUR, tolerance)
         return form.points, form.on_curve
 
     def spline(self) -> CurveSpline:
-        """The clamped B-spline of a curve of one degree."""
+        """Exports a curve of one degree as a clamped B-spline."""
         form = self._exported(lib.GUSSET_CURVE_FORMAT_SPLINE)
         return CurveSpline(form.points, form.knots, form.degree)

@@ -1,4 +1,4 @@
-"""Nets in other shapes: fields, affine maps, morphs, planar cells."""
+"""Moves the nodes of nets: fields, affine maps, morphs, planar cells."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ class NetDeforming(NetHandle):
     """The part of :class:`Net` that moves nodes. Every method returns another net."""
 
     def deform(self, *fields: Field, time: float = 0.0, threads: int = 0, progress: Optional[Progress] = None) -> Self:
-        """Moves all nodes by fields, one after the other.
+        """Deforms the net by fields, in the given order.
 
         Args:
             fields: of :mod:`gusset_mesh.fields`.
-            time: for fields with keys. To animate, deform the net at rest again.
+            time: time of fields with keys. For animation, deform the net at rest each time.
 
         Raises:
             InputError: a field is not defined at a node, which ``index`` names.
@@ -45,7 +45,7 @@ class NetDeforming(NetHandle):
         return self._changed(lib.gusset_net_deform, chain, count, float(time), threads=threads, progress=progress)
 
     def transform(self, *matrices: ArrayLike) -> Self:
-        """Moves all nodes by affine maps, one after the other; a mirrored net keeps its faces outwards.
+        """Applies affine maps, in the given order. The faces of a mirrored net keep looking outwards.
 
         Args:
             matrices: (3, 4), or (4, 4) with the last row 0, 0, 0, 1.
@@ -53,15 +53,16 @@ class NetDeforming(NetHandle):
         return self._operated(*({"kind": lib.GUSSET_OPERATION_MATRIX, "values": affine_rows(one)} for one in matrices))
 
     def translate(self, by: ArrayLike) -> Self:
-        """Moves all nodes by a vector."""
+        """Translates the net by a vector."""
         return self._operated({"kind": lib.GUSSET_OPERATION_TRANSLATE, "values": vector(by)})
 
     def rotate(self, direction: ArrayLike, angle: float, point: ArrayLike = (0.0, 0.0, 0.0)) -> Self:
-        """Turns the net by the right hand about the axis through a point along a direction."""
-        return self._operated({"kind": lib.GUSSET_OPERATION_ROTATE, "values": [*vector(direction, "direction"), float(angle), *vector(point, "point")]})
+        """Rotates the net, right-handed, about the axis through a point along a direction."""
+        values = [*vector(direction, "direction"), float(angle), *vector(point, "point")]
+        return self._operated({"kind": lib.GUSSET_OPERATION_ROTATE, "values": values})
 
     def scale(self, ratio: ArrayLike) -> Self:
-        """Scales about the origin: by one number, or by three for x, y and z."""
+        """Scales the net about the origin, by one number, or by three for x, y and z."""
         if np.ndim(ratio) == 0:
             return self._operated({"kind": lib.GUSSET_OPERATION_SCALE, "values": [float(np.asarray(ratio))]})
         return self._operated({"kind": lib.GUSSET_OPERATION_STRETCH, "values": vector(ratio, "ratio")})
@@ -74,7 +75,7 @@ class NetDeforming(NetHandle):
         return self._changed(lib.gusset_net_transform, ffi.new("struct gusset_operation[]", list(operations) or 1), len(operations))
 
     def displace(self, distance: float) -> Self:
-        """Moves every node along its normal; nodes without a normal stay.
+        """Moves every node along its normal. Nodes without a normal stay.
 
         >>> import numpy as np, gusset_mesh as gm
         >>> ball = gm.Net.primitive(shape="sphere", radius=1).displace(0.5)
@@ -84,18 +85,19 @@ class NetDeforming(NetHandle):
         return self._changed(lib.gusset_net_displace, float(distance))
 
     def morph(self, other: Self, t: float, path: MorphPath = "linear") -> Self:
-        """The net between two: this one at t = 0, the other one at 1.
+        """Interpolates between this net (t = 0) and another one (t = 1).
 
         Args:
             other: a net of the same size and gluing.
-            path: ``"rigid"`` turns the net as a whole, so that a net that only moved keeps its shape.
+            path: ``"rigid"`` rotates the net as a whole: a rigidly moved net keeps its shape.
         """
-        return self._of(create("net", self._handle, handle_of("net", other), float(t), number_of("gusset_morph_path", "path", path), name="net_morph"))
+        kind = number_of("gusset_morph_path", "path", path)
+        return self._of(create("net", self._handle, handle_of("net", other), float(t), kind, name="net_morph"))
 
     def planarise(
         self, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[PlanariseOptions]
     ) -> tuple[Self, PlanariseReport]:
-        """Moves nodes as little as possible until all cells are planar.
+        """Moves nodes until all cells are planar, with locally least squared displacement.
 
         Args:
             options: ``fixed`` may be (rows, columns) truth values.

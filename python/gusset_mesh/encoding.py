@@ -1,4 +1,4 @@
-"""Nets as bytes."""
+"""Encodes nets as bytes, and decodes them."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ __all__ = ["stream_inspect"]
 
 
 def bytes_of(data: Any) -> NDArray[np.uint8]:
-    """Bytes, or an array of them, without a copy."""
+    """Returns bytes as an array, without a copy."""
     array = data if isinstance(data, np.ndarray) else np.frombuffer(data, np.uint8)
     if array.dtype != np.uint8 or array.ndim != 1 or not array.flags.c_contiguous:
         raise ValueError("a stream is bytes, or a packed array of them")
@@ -34,16 +34,16 @@ def bytes_of(data: Any) -> NDArray[np.uint8]:
 
 
 def stream_inspect(data: Any) -> StreamReport:
-    """The header of a stream, from its first 128 bytes or more: rows, columns, how coordinates are stored."""
+    """Reads the header of a stream from its first 128 bytes or more."""
     array = bytes_of(data)
     return answer(StreamReport, lib.gusset_stream_inspect, pointer(array), array.size)
 
 
 class NetEncoding(NetHandle):
-    """The part of :class:`Net` that makes bytes of nets, and nets of bytes."""
+    """The part of :class:`Net` that encodes and decodes nets."""
 
     def encode(self, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[StreamOptions]) -> NDArray[np.uint8]:
-        """Coordinates, gluing and bridges as bytes, which files take as they are: rounded, lossless or raw, as ``mode`` says.
+        """Encodes coordinates, gluing and bridges as bytes. ``mode`` chooses quantised, lossless or raw storage.
 
         >>> import numpy as np, gusset_mesh as gm
         >>> net = gm.Net.primitive(shape="sphere", radius=1)
@@ -59,14 +59,15 @@ class NetEncoding(NetHandle):
 
     @classmethod
     def decode(cls, data: Any, node_limit: int = 0, *, threads: int = 0, progress: Optional[Progress] = None) -> Self:
-        """The net of a whole stream.
+        """Decodes a whole stream.
 
         Args:
-            data: bytes, or what shows them as a buffer.
-            node_limit: no more nodes than this; 0: as many as there are. For streams of strangers.
+            data: bytes, an array of bytes, or another buffer.
+            node_limit: largest number of nodes, checked before allocation; 0: no limit.
 
         Raises:
-            InputError: the stream is damaged; ``index`` is a byte.
+            InputError: the stream is damaged; ``index`` is the byte.
         """
         array = bytes_of(data)
-        return cls._of(create("net", pointer(array), array.size, index(node_limit, "node_limit", 64), name="net_decode", threads=threads, progress=progress))
+        limit = index(node_limit, "node_limit", 64)
+        return cls._of(create("net", pointer(array), array.size, limit, name="net_decode", threads=threads, progress=progress))

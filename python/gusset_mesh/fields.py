@@ -1,4 +1,4 @@
-"""Deformation fields for :meth:`Net.deform`: functions that make them. Each moves every node; a strength applies a part of it.
+"""Deformation fields for :meth:`Net.deform`. Each function makes one.
 
 An axis is ``"x"``, ``"y"`` or ``"z"``: w is the coordinate on it, and u and v are the next two in the cycle x, y, z.
 
@@ -30,7 +30,7 @@ __all__ = ["Field", "affine", "bend", "lattice", "parallel", "perspective", "pro
 
 @dataclass(frozen=True, eq=False)
 class Field:
-    """A deformation field; the functions of :mod:`gusset_mesh.fields` make it. It does not change."""
+    """A deformation field, made by a function of :mod:`gusset_mesh.fields`."""
 
     kind: FieldKind
     #: Its numbers, as C takes them.
@@ -47,18 +47,18 @@ class Field:
     counts: tuple[int, ...] = (0, 0, 0)
 
     def with_strength(self, strength: float) -> Field:
-        """The field in part: 0 for none, 1 for all of it."""
+        """Returns the field with another strength: 0 changes nothing, 1 applies the whole field."""
         return replace(self, strength=float(strength))
 
     def with_keys(self, times: ArrayLike, strengths: ArrayLike, easing: Easing = "linear") -> Field:
-        """The field with a strength that depends on time: as given at rising times, and between them as ``easing`` says."""
+        """Returns the field with a strength that depends on time: given at rising times, and interpolated by ``easing``."""
         pairs = np.stack([numbers(times, (-1,), "times"), numbers(strengths, (len(np.atleast_1d(np.asarray(times))),), "strengths")], axis=1)
         number_of("gusset_easing", "easing", easing)
         return replace(self, keys=np.ascontiguousarray(pairs), easing=easing)
 
 
 def fields_of(given: Iterable[Field]) -> tuple[Any, int]:
-    """Fields as C takes them, and how many there are."""
+    """Makes an array of fields for C, and returns it with its length."""
     chain = list(given)
     structs = ffi.new("struct gusset_field[]", max(len(chain), 1))
     for struct, field in zip(structs, chain):
@@ -83,12 +83,12 @@ def _about(kind: FieldKind, axis: Axis, *values: float, other_axis: Optional[Axi
 
 
 def affine(matrix: ArrayLike) -> Field:
-    """An affine map: (3, 4), the last column the translation, or (4, 4) with the last row 0, 0, 0, 1."""
+    """Applies an affine map: (3, 4), the last column the translation, or (4, 4) with the last row 0, 0, 0, 1."""
     return Field("affine", tuple(affine_rows(matrix)))
 
 
 def affine_rows(matrix: ArrayLike) -> list[float]:
-    """Three rows of four numbers of a matrix (3, 4) or (4, 4)."""
+    """Returns the three rows of four numbers of a matrix (3, 4) or (4, 4)."""
     array = np.asarray(matrix, np.float64)
     if array.shape == (4, 4) and np.array_equal(array[3], [0, 0, 0, 1]):
         array = array[:3]
@@ -120,7 +120,7 @@ def shear(axis: Axis, other_axis: Axis, rate: float) -> Field:
 
 
 def spherify(centre: ArrayLike, radius: float) -> Field:
-    """Central projection onto a sphere; it is not defined at the centre."""
+    """Projects onto a sphere from its centre, where the field is not defined."""
     return Field("spherify", (*vector(centre, "centre"), float(radius)))
 
 
@@ -148,7 +148,7 @@ def wrap_sphere(axis: Axis, radius: float) -> Field:
 
 
 def lattice(low: ArrayLike, high: ArrayLike, offsets: ArrayLike) -> Field:
-    """Free-form deformation of a box by a grid of control points; points outside stay.
+    """Deforms a box by a grid of control points (free-form deformation). Points outside stay.
 
     Args:
         low, high: the corners of the box.
@@ -163,17 +163,17 @@ def lattice(low: ArrayLike, high: ArrayLike, offsets: ArrayLike) -> Field:
 
 
 def projection(matrix: ArrayLike) -> Field:
-    """A projective map (4, 4); it is not defined where the fourth homogeneous coordinate becomes 0."""
+    """Applies a projective map (4, 4). It is not defined where the fourth homogeneous coordinate becomes 0."""
     return Field("projection", tuple(numbers(matrix, (4, 4), "rows of the matrix").reshape(-1).tolist()))
 
 
 def parallel(point: ArrayLike, normal: ArrayLike, direction: ArrayLike) -> Field:
-    """Parallel projection along a direction onto the plane through a point with a normal."""
+    """Projects along a direction onto the plane through a point with a normal."""
     return _projected("parallel", point, normal, direction)
 
 
 def perspective(eye: ArrayLike, point: ArrayLike, normal: ArrayLike) -> Field:
-    """Central projection from the eye onto the plane through a point with a normal."""
+    """Projects from the eye onto the plane through a point with a normal."""
     return _projected("perspective", eye, point, normal)
 
 

@@ -27,9 +27,9 @@ class Frame(Reported[FrameView]):
     """A grid of nodes on a body, with a curve across through each row and a curve along through each column.
 
     Args:
-        sections: consecutive outlines of the body, each (n, 3).
-        closed: whether each section goes on from its last point to its first.
-        options: see :class:`~gusset_mesh.FrameOptions`, as ``correspondence="arc_length", columns=32``.
+        sections: consecutive outlines of the body, each (n, 2) or (n, 3).
+        closed: whether each section returns to its first point.
+        options: see :class:`~gusset_mesh.FrameOptions`, such as ``correspondence="arc_length", columns=32``.
 
     >>> import numpy as np
     >>> angle = np.linspace(0, 2 * np.pi, 12, endpoint=False)
@@ -53,17 +53,17 @@ class Frame(Reported[FrameView]):
         return self.report.nodes
 
     def curve_across(self, row: int) -> Curve:
-        """The curve through the nodes of a section."""
+        """Returns the curve through the nodes of a section."""
         return Curve(create("curve", self.report._struct.curves_across, index(row, "row", 64), name="outline_curve"))
 
     def curve_along(self, column: int) -> Curve:
-        """The curve along the body through the nodes of a column."""
+        """Returns the curve along the body through the nodes of a column."""
         return Curve(create("curve", self.report._struct.curves_along, index(column, "column", 64), name="outline_curve"))
 
     def offset(
         self, distances: ArrayLike, direction: OffsetDirection = "normal", *, threads: int = 0, progress: Optional[Progress] = None
     ) -> Frame:
-        """The frame at a distance: one for all nodes, one for each section, or (rows, columns).
+        """Makes the offset of the frame. Distances: one for all nodes, one for each section, or (rows, columns).
 
         >>> import numpy as np
         >>> angle = np.linspace(0, 2 * np.pi, 12, endpoint=False)
@@ -73,12 +73,13 @@ class Frame(Reported[FrameView]):
         """
         given = np.ascontiguousarray(distances, np.float64).reshape(-1)
         made = Frame.__new__(Frame)
-        Reported.__init__(made, create("frame", self._handle, ffi.cast("double *", pointer(given)), len(given), number_of("gusset_offset_direction", "direction", direction),
-                                     name="frame_offset", threads=threads, progress=progress))
+        which = number_of("gusset_offset_direction", "direction", direction)
+        Reported.__init__(made, create("frame", self._handle, ffi.cast("double *", pointer(given)), len(given), which, name="frame_offset",
+                                       threads=threads, progress=progress))
         return made
 
     def slice(self, point: ArrayLike, normal: ArrayLike) -> Outline:
-        """A new section: through the points where a plane cuts the curves along."""
+        """Makes a new section through the points where a plane cuts the curves along."""
         made = Outline.__new__(Outline)
         Reported.__init__(made, create("outline", self._handle, vector(point, "point"), vector(normal, "normal"), name="frame_slice"))
         return made

@@ -29,7 +29,7 @@ _CELL_SIDES = {"top": 1, "right": 2, "bottom": 4, "left": 8}
 
 
 def seam(a: tuple[int, int], step_a: tuple[int, int], b: tuple[int, int], step_b: tuple[int, int], count: int) -> Seam:
-    """Glues ``count`` nodes of run A to those of run B: each begins at a row and column, and steps by rows and columns.
+    """Makes a seam, which glues ``count`` nodes of run A to run B. A run begins at (row, column), and steps by (rows, columns).
 
     >>> seam((0, 0), (1, 0), (4, 6), (-1, 0), 5).row_b
     4
@@ -48,7 +48,7 @@ def _names(seams: SeamArray) -> tuple[str, ...]:
 
 
 def _packed(given: Union[SeamArray, Iterable[Seam]]) -> SeamArray:
-    """Seams in a row."""
+    """Returns seams, packed."""
     if isinstance(given, SeamArray):
         return SeamArray(np.ascontiguousarray(given.array).reshape(-1))
     runs = list(given)
@@ -62,9 +62,9 @@ def _packed(given: Union[SeamArray, Iterable[Seam]]) -> SeamArray:
 
 @dataclass(frozen=True, eq=False)
 class Gluing:
-    """The gluing of a net: what its sides or its matrix say, and seams besides."""
+    """The gluing of a net: its sides or its matrix, and its seams."""
 
-    #: Words for the sides that are glued; None if the matrix says it.
+    #: The sides that are glued; None if only the matrix describes them.
     sides: Optional[frozenset[Sides]]
     #: (2 * rows, columns): 1 for a contracted link. Row 2 i has the horizontal links of row i, row 2 i + 1 the vertical ones.
     matrix: NDArray[np.uint8]
@@ -75,7 +75,7 @@ class Gluing:
 
 
 class LocalGluing(NamedTuple):
-    """Nodes to glue or to unglue. A link is 2 * node, and 1 more if it is vertical; cell (i, j) is i * (columns - 1) + j."""
+    """Nodes to glue or to unglue. Link 2 * node is horizontal, 2 * node + 1 vertical; cell (i, j) is i * (columns - 1) + j."""
 
     kind: GluingKind
     element: int = 0
@@ -84,32 +84,32 @@ class LocalGluing(NamedTuple):
 
     @classmethod
     def link(cls, link: int) -> LocalGluing:
-        """The two ends of a link."""
+        """Glues the two ends of a link."""
         return cls("link", index(link, "link"))
 
     @classmethod
     def star(cls, node: int, *links: Literal["east", "south", "west", "north"]) -> LocalGluing:
-        """A node and its neighbours in some directions."""
+        """Glues a node to its neighbours in some directions."""
         return cls("star", index(node, "node"), sum(one_of(_LINKS, "link", word) for word in set(links)))
 
     @classmethod
     def cell(cls, cell: int, *sides: Literal["top", "right", "bottom", "left"]) -> LocalGluing:
-        """The ends of some sides of a cell."""
+        """Glues the ends of some sides of a cell."""
         return cls("cell", index(cell, "cell"), sum(one_of(_CELL_SIDES, "side", word) for word in set(sides)))
 
     @classmethod
     def diagonal(cls, cell: int, corners: Literal["falling", "rising"]) -> LocalGluing:
-        """Opposite corners of a cell: the first and third, or the second and fourth."""
+        """Glues opposite corners of a cell: the first and third (falling), or the second and fourth."""
         return cls("diagonal", index(cell, "cell"), one_of({"falling": 1, "rising": 2}, "corners", corners))
 
     @classmethod
     def along(cls, seam: Seam) -> LocalGluing:
-        """The two runs of a seam."""
+        """Glues the two runs of a seam."""
         return cls("seam", seam=seam)
 
     @classmethod
     def of_type(cls, kind: GluingType, element: int) -> LocalGluing:
-        """A local gluing at a node, or at a cell from ``"top_bottom"`` on."""
+        """Glues a node, or from ``"top_bottom"`` on a cell, by one of the 18 local gluings."""
         return cls("type", index(element, "element"), number_of("gusset_gluing_type", "type", kind))
 
 
@@ -118,14 +118,15 @@ def _gluings(given: Sequence[LocalGluing]) -> Any:
     for struct, one in zip(structs, given):
         if not isinstance(one, LocalGluing):
             raise TypeError(f"{one!r} is not a LocalGluing")
-        struct.kind, struct.element, struct.mask = number_of("gusset_gluing_kind", "kind", one.kind), index(one.element, "element"), index(one.mask, "mask")
+        struct.kind = number_of("gusset_gluing_kind", "kind", one.kind)
+        struct.element, struct.mask = index(one.element, "element"), index(one.mask, "mask")
         if one.seam is not None:
             ffi.memmove(ffi.addressof(struct, "seam"), _packed([one.seam]).pointer(), ffi.sizeof("struct gusset_seam"))
     return structs
 
 
 class NetGroups(Reported[NetGroupsView], Sequence[NDArray[np.uint32]]):
-    """Points of several glued nodes: each is an array of its nodes, which are row * columns + column."""
+    """Points of several glued nodes: an array of nodes for each. Node (row, column) is row * columns + column."""
 
     REPORT = NetGroupsView
 
@@ -150,15 +151,16 @@ class NetGroups(Reported[NetGroupsView], Sequence[NDArray[np.uint32]]):
 
 
 class NetGluing(NetHandle):
-    """The part of :class:`Net` that tells and changes what is glued. Changes make another net."""
+    """The part of :class:`Net` that describes and changes the gluing. Changes make another net."""
 
     @property
     def gluing(self) -> Gluing:
-        """What is glued, in normal form."""
+        """The gluing in normal form: sides replace links, and links replace seams, where possible."""
         report = NetGluingReport.read(self._handle, ffi.NULL, 0, ffi.NULL, 0)._struct
         rows, columns = self.shape
         matrix, seams = np.zeros((2 * rows, columns), np.uint8), SeamArray.zeros(report.seam_count)
-        NetGluingReport.read(self._handle, ffi.cast("uint8_t *", pointer(matrix)), matrix.size, seams.pointer() if len(seams) else ffi.NULL, len(seams))
+        runs = seams.pointer() if len(seams) else ffi.NULL
+        NetGluingReport.read(self._handle, ffi.cast("uint8_t *", pointer(matrix)), matrix.size, runs, len(seams))
         # A tube is rows that are closed.
         sides = None if report.sides == 2**32 - 1 else flags(report.sides, "gusset_sides") - {"tube"}
         return Gluing(sides, matrix, seams, bool(report.reversed), report.bridge_count)
@@ -167,12 +169,12 @@ class NetGluing(NetHandle):
         self, sides: Union[Sides, Sequence[Sides]] = "sheet", *, matrix: Optional[ArrayLike] = None,
         seams: Union[SeamArray, Iterable[Seam]] = (), reversed: bool = False
     ) -> Self:
-        """The net with another gluing; positions stay.
+        """Replaces the gluing; positions stay.
 
         Args:
-            sides: what is glued, as ``"torus"`` or ``["rows_closed", "pole_top"]``; not with a matrix.
+            sides: the sides that are glued, such as ``"torus"`` or ``["rows_closed", "pole_top"]``; not with a matrix.
             matrix: (2 * rows, columns), see :class:`Gluing`.
-            seams: runs that are glued besides.
+            seams: additional seams.
             reversed: faces have the opposite orientation.
 
         >>> import numpy as np, gusset_mesh as gm
@@ -195,12 +197,12 @@ class NetGluing(NetHandle):
     def glue(
         self, *gluings: LocalGluing, links: ArrayLike = (), detect: Optional[float] = None, saturate: bool = False, snap: bool = False
     ) -> Self:
-        """Glues nodes, in the order of the arguments: detects, glues, contracts, saturates, snaps.
+        """Glues nodes. The steps follow the order detect, gluings, links, saturate, snap.
 
         Args:
             gluings: nodes to glue.
             links: links to contract, such as ``contracted`` of :meth:`Net.analysis`.
-            detect: replaces the gluing by what lies together within this distance; None: does not.
+            detect: replaces the gluing by the one of nodes that coincide within this distance; None: no detection.
             saturate: contracts every link whose ends are one point.
             snap: moves all nodes of a point to its first node, bit for bit.
         """
@@ -213,33 +215,34 @@ class NetGluing(NetHandle):
         return self._changed(lib.gusset_net_glue, holding(given, structs, contracted), ffi.NULL)
 
     def unglue(self, *gluings: LocalGluing, separation: float = 0.0) -> Self:
-        """Unglues pairs of nodes; with a separation the pieces of a point move so far apart."""
+        """Unglues pairs of nodes. With a separation, the pieces of a point move apart."""
         return self._changed(lib.gusset_net_unglue, _gluings(gluings), len(gluings), float(separation), ffi.NULL)
 
     def classes(self) -> NDArray[np.uint32]:
-        """(rows, columns): for each node the first node of its point."""
+        """Returns (rows, columns) numbers: for each node, the first node of its point."""
         rows, columns = self.shape
         out, written = np.zeros((rows, columns), np.uint32), ffi.new("size_t *")
         call(lib.gusset_net_classes, self._handle, ffi.cast("uint32_t *", pointer(out)), out.size, written)
         return out
 
     def groups(self) -> NetGroups:
-        """The points of several glued nodes."""
+        """Finds the points of several glued nodes."""
         return NetGroups(create("net_groups", self._handle))
 
     def classify(self, place: GluingPlace, element: int, *, cyclic: bool = False) -> GluingType:
-        """The local gluing at a node or a cell; ``"none"`` if nothing is glued there.
+        """Finds the local gluing at a node or a cell; ``"none"`` for a node without glued links and for a quad.
 
         Args:
             cyclic: links back to the first row or column count.
         """
         found = ffi.new("uint32_t *")
-        call(lib.gusset_net_classify, self._handle, number_of("gusset_gluing_place", "place", place), index(element, "element"), int(bool(cyclic)), found)
+        where = number_of("gusset_gluing_place", "place", place)
+        call(lib.gusset_net_classify, self._handle, where, index(element, "element"), int(bool(cyclic)), found)
         kind: GluingType = word(found[0], "gusset_gluing_type")
         return kind
 
     def histogram(self) -> tuple[dict[GluingType, int], dict[GluingType, int]]:
-        """How many nodes, and how many cells, have each local gluing; words without any are left out."""
+        """Counts the nodes, and the cells, with each local gluing. Words without nodes or cells are missing."""
         counts = np.zeros((2, 18), np.uint64)
         nodes, cells = (ffi.cast("uint64_t *", pointer(one)) for one in counts)
         call(lib.gusset_net_histogram, self._handle, nodes, cells)
@@ -247,5 +250,5 @@ class NetGluing(NetHandle):
         return first, second
 
     def gluing_occurrences(self, *, cyclic: bool = False) -> GluingOccurrenceArray:
-        """All local gluings, at nodes and then at cells, with the numbers of Deryagin's Fig. 4."""
+        """Lists all local gluings, at nodes and then at cells, with the numbers of Deryagin's Fig. 4."""
         return listed(GluingOccurrenceArray, lib.gusset_net_gluing_occurrences, self._handle, int(bool(cyclic)))

@@ -1,4 +1,4 @@
-"""Two loops or polylines: which vertices face each other, and strips between them; vertices that are one at seams."""
+"""Compares two loops: facing vertices, strips between them; finds vertices that are one at seams."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ __all__ = ["Facing", "Strip", "facing", "find_merge", "meridians_index", "strip"
 
 
 class Strip(Result[StripReport]):
-    """Faces between two polylines: the mesh has the points of A, of B, then new ones."""
+    """The faces between two polylines. The mesh has the points of A, of B, then new ones."""
 
     REPORT = StripReport
 
@@ -30,11 +30,11 @@ class Strip(Result[StripReport]):
 def strip(
     points_a: ArrayLike, points_b: ArrayLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[StripOptions]
 ) -> Strip:
-    """Faces between two polylines side by side, as :func:`stitch` makes them between rims.
+    """Builds a strip of faces between two polylines, as :func:`stitch` does between rims.
 
     Args:
-        points_a: (n, 3) in order; the first is not repeated where ``closed=True``.
-        points_b: the same of the other one.
+        points_a: (n, 3) in order; a closed polyline does not repeat its first point.
+        points_b: as points_a, for the other one.
         options: see :class:`~gusset_mesh.StripOptions`.
 
     >>> strip([[0, 0, 0], [1, 0, 0]], [[0, 1, 0], [1, 1, 0]]).mesh.face_count
@@ -46,7 +46,7 @@ def strip(
 
 
 class Facing(Reported[FacingView]):
-    """The vertices of two loops that face each other: ``report.taken`` is ``arc_a`` and ``arc_b`` of :func:`stitch`."""
+    """The vertices of two loops that face each other. ``report.taken`` has ``arc_a`` and ``arc_b`` of :func:`stitch`."""
 
     REPORT = FacingView
 
@@ -54,11 +54,11 @@ class Facing(Reported[FacingView]):
 def facing(
     points_a: ArrayLike, points_b: ArrayLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[FacingOptions]
 ) -> Facing:
-    """Which vertices of two loops face each other.
+    """Finds the vertices of two loops that face each other.
 
     Args:
         points_a: (n, 3), the vertices of a loop in order.
-        points_b: the same of the other one.
+        points_b: as points_a, for the other one.
         options: see :class:`~gusset_mesh.FacingOptions`.
 
     >>> square = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
@@ -72,7 +72,7 @@ def facing(
 
 
 def meridians_index(n: int, m: int) -> NDArray[np.uint32]:
-    """For each i = 0 .. n the j of 0 .. m that makes ``|m i - n j|`` least: meridians by index between n and m <= n segments.
+    """Computes meridians by index. For each i = 0 .. n, the j of 0 .. m makes ``|m i - n j|`` least; m is at most n.
 
     >>> meridians_index(4, 2).tolist()
     [0, 1, 1, 2, 2]
@@ -88,10 +88,10 @@ def meridians_index(n: int, m: int) -> NDArray[np.uint32]:
 
 
 def find_merge(mesh: MeshLike, keys: Optional[ArrayLike] = None) -> NDArray[np.uint32]:
-    """For each vertex of a mesh the smallest one that it is one with, for ``merge`` of :class:`Mesh`.
+    """Finds which vertices of a mesh are one: for each the smallest such vertex. ``merge`` of :class:`Mesh` takes the answer.
 
     Args:
-        keys: a whole number for each vertex: those with equal ones are one; None: those at equal positions.
+        keys: a whole number for each vertex: vertices with equal keys are one. None: vertices at equal positions are one.
 
     >>> find_merge(([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 0]], [[0, 1, 2], [3, 1, 2]])).tolist()
     [0, 1, 2, 0]

@@ -109,7 +109,8 @@ class Outline(Reported[OutlineView]):
         self, points: ArrayLike, closed: bool = False, *, tangents: Optional[Mapping[int, ArrayLike]] = None,
         corners: ArrayLike = (), threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[OutlineOptions],
     ):
-        super().__init__(create("outline", outlines_of(points, closed, tangents, corners), structs("outline_options", options), threads=threads, progress=progress))
+        outlines = outlines_of(points, closed, tangents, corners)
+        super().__init__(create("outline", outlines, structs("outline_options", options), threads=threads, progress=progress))
 
     @cached_property
     def curve(self) -> Curve:

@@ -1,4 +1,4 @@
-"""Questions to smooth surfaces: distances, local minima, first hits, cells near a point or another surface."""
+"""Queries of smooth surfaces: distances, local minima, first hits, cells near a point or another surface."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from ._handles import Reported, create
 from ._keywords import options as structs
 from ._library import ffi, lib
 from ._options import NearestOptions, Unpack
-from ._reports import (DistanceReport, NearestAngleReport, SurfaceCellArray, SurfaceCellsView, SurfaceHitArray, SurfaceNearestPointArray, SurfacePointsView,
-                       SurfaceReport)
+from ._reports import (DistanceReport, NearestAngleReport, SurfaceCellArray, SurfaceCellsView, SurfaceHitArray, SurfaceNearestPointArray,
+                       SurfacePointsView, SurfaceReport)
 from .outline import Curve
 
 __all__ = ["Line", "Plane", "SurfaceCells", "SurfacePoints"]
@@ -52,7 +52,7 @@ class SurfacePoints(Reported[SurfacePointsView]):
 
 
 class SurfaceCells(Reported[SurfaceCellsView]):
-    """Cells of a surface, or pairs of cells: ``report.others`` has the second cells, and for a region ``whole`` and ``mask``."""
+    """Cells of a surface, or pairs of cells of two: ``report.others`` has the second cells."""
 
     REPORT = SurfaceCellsView
 
@@ -73,11 +73,11 @@ class SurfaceQueries(Reported[SurfaceReport]):
     def distance(
         self, target: Union[Line, Plane, Curve, SurfaceQueries], tolerance: float = 0.0, *, threads: int = 0, progress: Optional[Progress] = None
     ) -> DistanceReport:
-        """The nearest points of the surface and a line, a plane, a curve or another surface.
+        """Finds the nearest points of the surface and a line, a plane, a curve or another surface.
 
         Args:
             target: a :class:`~gusset_mesh.Line`, :class:`~gusset_mesh.Plane`, :class:`~gusset_mesh.Curve` or :class:`~gusset_mesh.Surface`.
-            tolerance: the length to which the distance is proved; 0: that of the surface.
+            tolerance: length to which the distance is proved; 0: the tolerance of the surface.
 
         Returns:
             a report: ``point``, ``other_point``, ``distance``, ``bound`` and more.
@@ -106,21 +106,22 @@ class SurfaceQueries(Reported[SurfaceReport]):
     def minima(
         self, query: ArrayLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[NearestOptions]
     ) -> SurfacePoints:
-        """The points of the surface at which the distance from a query is locally least, nearest first; none is missed.
+        """Finds the local minima of the distance from a query, nearest first. No minimum is missed.
 
         >>> import numpy as np, gusset_mesh as gm
         >>> u, v = np.meshgrid(np.linspace(0, 6, 41), np.linspace(0, 1, 8), indexing="ij")
         >>> len(gm.Surface(np.stack([u, v, np.cos(2 * np.pi * u / 3)], axis=2)).minima([3, 0.5, -9]))
         2
         """
-        return SurfacePoints(create("surface_points", self._handle, vector(query, "query"), structs("nearest_options", options), name="surface_minima",
-                                    threads=threads, progress=progress))
+        given = structs("nearest_options", options)
+        return SurfacePoints(create("surface_points", self._handle, vector(query, "query"), given, name="surface_minima", threads=threads,
+                                    progress=progress))
 
     def first_hits(
         self, origins: ArrayLike, directions: ArrayLike, *, start: float = 0.0, end: float = np.inf, threads: int = 0,
         progress: Optional[Progress] = None,
     ) -> SurfaceHitArray:
-        """The first hit of each ray; its ``kind`` is ``"none"`` where there is none.
+        """Finds the first hit of each ray. Without a hit, ``kind`` is ``"none"``.
 
         >>> import numpy as np, gusset_mesh as gm
         >>> u, v = np.meshgrid(np.linspace(0, 1, 8), np.linspace(0, 1, 8), indexing="ij")
@@ -137,18 +138,18 @@ class SurfaceQueries(Reported[SurfaceReport]):
     def nearest_angle(
         self, direction: ArrayLike, angle: float, *, unsigned_normals: bool = False, threads: int = 0, progress: Optional[Progress] = None
     ) -> NearestAngleReport:
-        """The normal whose angle with a direction is nearest to a given angle: ``place``, ``normal``, ``angle``, ``deviation``, ``bound``."""
+        """Finds the normal whose angle with a direction is nearest to a given angle."""
         return answer(NearestAngleReport, lib.gusset_surface_nearest_angle, self._handle, vector(direction, "direction"), float(angle),
                       int(bool(unsigned_normals)), threads=threads, progress=progress)
 
     def region(self, query: ArrayLike, radius: float, *, threads: int = 0, progress: Optional[Progress] = None) -> SurfaceCells:
-        """The cells that have a point within a radius of a query; none is missed."""
+        """Finds the cells that have a point within a radius of a query. No cell is missed."""
         return SurfaceCells(create("surface_cells", self._handle, vector(query, "query"), float(radius), name="surface_region", threads=threads,
                                    progress=progress))
 
     def cell_pairs(
         self, other: SurfaceQueries, within: float = 0.0, *, threads: int = 0, progress: Optional[Progress] = None
     ) -> SurfaceCells:
-        """The pairs of cells of two surfaces that may be within a distance of each other; none is missed."""
-        return SurfaceCells(create("surface_cells", self._handle, handle_of("surface", other), float(within), name="surface_cell_pairs", threads=threads,
-                                   progress=progress))
+        """Finds the pairs of cells of two surfaces that may be within a distance of each other. No pair is missed."""
+        return SurfaceCells(create("surface_cells", self._handle, handle_of("surface", other), float(within), name="surface_cell_pairs",
+                                   threads=threads, progress=progress))

@@ -1,4 +1,4 @@
-"""Nets of other numbers of rows and columns: shapes, parts, symmetries, resolutions, and nets found in meshes."""
+"""Makes nets with other rows and columns: shapes, parts, symmetries, resolutions, and nets found in meshes."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ from .mesh import MeshLike, as_mesh, view_of
 if TYPE_CHECKING:
     from typing_extensions import Self
 
-__all__ = ["Decimated", "NetGrid"]
+__all__ = ["DecimatedNet", "NetGrid"]
 
 _TURNS = (lib.GUSSET_NET_TURN_NONE, lib.GUSSET_NET_TURN_QUARTER, lib.GUSSET_NET_TURN_HALF, lib.GUSSET_NET_TURN_THREE_QUARTERS)
 _Net = TypeVar("_Net")
 
 
 @dataclass(frozen=True, eq=False)
-class Decimated(Generic[_Net]):
-    """A net that has lost rows and columns."""
+class DecimatedNet(Generic[_Net]):
+    """A net without the rows and columns that a tolerance makes redundant."""
 
     net: _Net
     #: The rows and the columns that were kept.
@@ -42,13 +42,13 @@ class Decimated(Generic[_Net]):
 
 
 class NetGrid(Reported[NetGridView]):
-    """Where the nodes and cells of a net are in the mesh that it was found in."""
+    """The correspondence between a net and the mesh it was found in."""
 
     REPORT = NetGridView
 
 
 def _range(given: Any, count: int, name: str) -> tuple[int, int]:
-    """The first, and how many: of a slice without a step."""
+    """Returns the start and the length of a slice without a step."""
     if not isinstance(given, slice):
         raise TypeError(f"{name} of a part are a slice, not {given!r}")
     first, last, step = given.indices(count)
@@ -62,16 +62,17 @@ class NetReshaping(NetHandle):
 
     @classmethod
     def primitive(cls, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[NetPrimitive]) -> Self:
-        """A standard shape about the origin, with the axis z: ``shape="sphere", radius=1``.
+        """Makes a standard shape centred at the origin, with axis z: ``shape="sphere", radius=1``.
 
         >>> import gusset_mesh as gm
         >>> gm.Net.primitive(shape="torus", radius=2, minor_radius=0.5, rows=33, columns=65).complex().report.euler
         0
         """
-        return cls._of(create("net", structs("net_primitive", {"scalar": "f64", **options}), name="net_primitive", threads=threads, progress=progress))
+        given = structs("net_primitive", {"scalar": "f64", **options})
+        return cls._of(create("net", given, name="net_primitive", threads=threads, progress=progress))
 
     def __getitem__(self, part: Any) -> Self:
-        """A part: ``net[2:5, :]``; gluing and bridges inside it stay."""
+        """Returns a part, such as ``net[2:5, :]``. It keeps the gluing and bridges inside it."""
         pair = part if isinstance(part, tuple) else (part, slice(None))
         if len(pair) != 2:
             raise IndexError(f"a net has rows and columns, not {len(pair)} axes")
@@ -81,21 +82,21 @@ class NetReshaping(NetHandle):
         return self._copied(row_first=rows[0], row_count=rows[1], column_first=columns[0], column_count=columns[1])
 
     def astype(self, dtype: DTypeLike) -> Self:
-        """The net with 32- or 64-bit coordinates; nodes that overflow become missing."""
+        """Converts the coordinates to 32- or 64-bit floats. Nodes that overflow become missing."""
         wanted = np.dtype(dtype)
         if wanted not in SCALARS:
             raise ValueError(f"coordinates are float32 or float64, not {wanted}")
         return self._copied(scalar=SCALARS[wanted])
 
     def compact(self) -> Self:
-        """The net without rows and columns that repeat the previous one."""
+        """Removes rows and columns that repeat the previous one."""
         return self._copied(compact=1)
 
     def enlarge(self, rows: Optional[int] = None, columns: Optional[int] = None, replication: Replication = "uniform", place: int = 0) -> Self:
-        """The net with rows and columns repeated until there are so many; links between copies are contracted.
+        """Enlarges the net by copies of rows and columns. Links between copies are contracted.
 
         Args:
-            place: with ``replication="at"`` the row, or the column, that is repeated.
+            place: row or column to replicate with ``replication="at"``.
 
         >>> import gusset_mesh as gm
         >>> gm.Net.primitive(shape="plane", size=(1, 1, 1), rows=3, columns=4).enlarge(rows=5).compact().shape
@@ -103,35 +104,36 @@ class NetReshaping(NetHandle):
         """
         which = number_of("gusset_replication", "replication", replication)
         at = index(place, "place")
-        return self._copied(rows=index(rows or 0, "rows", 64), columns=index(columns or 0, "columns", 64), row_replication=which, column_replication=which,
-                            row_index=at, column_index=at)
+        return self._copied(rows=index(rows or 0, "rows", 64), columns=index(columns or 0, "columns", 64), row_replication=which,
+                            column_replication=which, row_index=at, column_index=at)
 
     def turn(self, quarters: int = 1) -> Self:
-        """The net turned by quarters: after one the last column is the first row."""
+        """Turns the net by quarters. A quarter makes the last column the first row."""
         return self._copied(turn=_TURNS[quarters % 4])
 
     def transpose(self) -> Self:
-        """The net with rows as columns."""
+        """Exchanges rows and columns."""
         return self._copied(turn=lib.GUSSET_NET_TURN_TRANSPOSE)
 
     def flip(self, direction: Direction = "right") -> Self:
-        """The net with its columns, or its rows, in the reverse order."""
+        """Reverses the order of columns (``"right"``) or rows."""
         flips = {"right": lib.GUSSET_NET_TURN_FLIP_COLUMNS, "down": lib.GUSSET_NET_TURN_FLIP_ROWS}
         return self._copied(turn=one_of(flips, "direction", direction))
 
     def clear_no_data(self, value: float) -> Self:
-        """The net without nodes that have a coordinate equal to a value."""
+        """Makes nodes missing that have a coordinate equal to a value."""
         return self._changed(lib.gusset_net_clear_no_data, float(value))
 
     def resample(
         self, rows: int, columns: int, interpolation: Interpolation = "bicubic", *, threads: int = 0, progress: Optional[Progress] = None
     ) -> Self:
-        """The same shape with other numbers of rows and columns, spread evenly."""
-        return self._of(create("net", self._handle, index(rows, "rows", 64), index(columns, "columns", 64), number_of("gusset_interpolation", "interpolation", interpolation),
-                               name="net_resample", threads=threads, progress=progress))
+        """Interpolates the net with other numbers of rows and columns, spread evenly."""
+        between = number_of("gusset_interpolation", "interpolation", interpolation)
+        return self._of(create("net", self._handle, index(rows, "rows", 64), index(columns, "columns", 64), between, name="net_resample",
+                               threads=threads, progress=progress))
 
-    def decimate(self, tolerance: float, *, threads: int = 0, progress: Optional[Progress] = None) -> Decimated[Self]:
-        """The net without rows and columns that a tolerance can do without, the least important first.
+    def decimate(self, tolerance: float, *, threads: int = 0, progress: Optional[Progress] = None) -> DecimatedNet[Self]:
+        """Removes rows and columns within a tolerance, each time the one that causes the least deviation.
 
         >>> import gusset_mesh as gm
         >>> made = gm.Net.primitive(shape="tube", radius=1, height=3, rows=20, columns=65).decimate(1e-6)
@@ -142,12 +144,12 @@ class NetReshaping(NetHandle):
         deviation = ffi.new("double *")
         at = (ffi.cast("uint32_t *", pointer(one)) for one in (rows, columns))
         net = self._of(create("net", self._handle, float(tolerance), *at, deviation, name="net_decimate", threads=threads, progress=progress))
-        return Decimated(net, rows[:net.shape[0]], columns[:net.shape[1]], float(deviation[0]))
+        return DecimatedNet(net, rows[:net.shape[0]], columns[:net.shape[1]], float(deviation[0]))
 
     def pyramid(
         self, interpolation: Interpolation = "bicubic", *, threads: int = 0, progress: Optional[Progress] = None
     ) -> list[Self]:
-        """Levels of detail: nets of 2^k + 1 rows and columns, the finest first."""
+        """Makes levels of detail: nets of 2^k + 1 rows and columns, finest first."""
         made = ffi.new("struct gusset_net *[]", lib.GUSSET_PYRAMID_LEVELS)
         count = ffi.new("size_t *")
         call(lib.gusset_net_pyramid_create, self._handle, number_of("gusset_interpolation", "interpolation", interpolation), made, len(made), count,
@@ -159,14 +161,14 @@ class NetReshaping(NetHandle):
         cls, mesh: MeshLike, *, cells: GridCells = "quads", face: Optional[int] = None, threads: int = 0,
         progress: Optional[Progress] = None,
     ) -> tuple[Self, NetGrid]:
-        """The rows and columns that a mesh has, as a net of its vertices, and where they are in the mesh.
+        """Finds rows and columns in a mesh. Returns the net of its vertices, and the correspondence.
 
         Args:
-            cells: whether the mesh has quads, or two triangles for each cell.
-            face: only the component of this face must be a grid; None: the whole mesh.
+            cells: cells of the grid in the mesh: quads, or two triangles each.
+            face: a face of the only component that must be a grid; None: the whole mesh must be a grid.
 
         Raises:
-            InputError: the mesh is no grid; ``index`` names a face.
+            InputError: the mesh is not a grid; ``index`` is a face that violates the grid.
         """
         given = sized("gusset_net_grid_options", cells=number_of("gusset_grid_cells", "cells", cells))
         if face is not None:

@@ -24,7 +24,7 @@ __all__ = ["Scene"]
 
 
 class Scene(Exclusive, Handle):
-    """Nets in groups, nested at any depth; an entry may be in several groups. Indices of entries are never reused.
+    """Nets in nested groups. An entry may be in several groups; indices of entries are never reused.
 
     >>> import gusset_mesh as gm
     >>> scene, wheel = Scene(), gm.Net.primitive(shape="torus", radius=2, minor_radius=0.5)
@@ -46,17 +46,18 @@ class Scene(Exclusive, Handle):
 
     @classmethod
     def unflatten(cls, net: Net, direction: Direction = "down", *, threads: int = 0, progress: Optional[Progress] = None) -> Scene:
-        """The nets between the last-made bridges of a direction, in one group, which is entry 0."""
+        """Splits a net at the last-made bridges of a direction. The parts form one group, entry 0."""
         made = cls.__new__(cls)
-        made._start(create("scene", handle_of("net", net), number_of("gusset_direction", "direction", direction), name="scene_unflatten", threads=threads, progress=progress))
+        made._start(create("scene", handle_of("net", net), number_of("gusset_direction", "direction", direction), name="scene_unflatten",
+                           threads=threads, progress=progress))
         return made
 
     def add(self, net: Net) -> int:
-        """Adds a net outside all groups; returns its entry."""
+        """Adds a net as a top-level entry, and returns the index of the entry."""
         return self._added(handle_of("net", net))
 
     def add_group(self) -> int:
-        """Adds an empty group outside all groups; returns its entry."""
+        """Adds an empty group as a top-level entry, and returns the index of the entry."""
         return self._added(ffi.NULL)
 
     def _added(self, net: Any) -> int:
@@ -66,7 +67,7 @@ class Scene(Exclusive, Handle):
         return int(entry[0])
 
     def add_child(self, group: int, child: int) -> None:
-        """Appends an entry to a group, which may have it already."""
+        """Appends an entry to a group. An entry may occur in it repeatedly."""
         self._of_entries(lib.gusset_scene_add_child, group, child)
 
     def remove_child(self, group: int, child: int) -> None:
@@ -85,7 +86,7 @@ class Scene(Exclusive, Handle):
     def set_entry(
         self, entry: int, *, net: Optional[Net] = None, transform: Optional[ArrayLike] = None, visible: Optional[bool] = None
     ) -> None:
-        """Changes the net, the map (3, 4) or (4, 4), or the visibility of an entry; all of it or nothing."""
+        """Changes the net, the map (3, 4) or (4, 4), or the visibility of an entry. After an error nothing has changed."""
         changes = sized("gusset_scene_changes")
         if net is not None:
             changes.net = handle_of("net", net)
@@ -99,19 +100,19 @@ class Scene(Exclusive, Handle):
             call(lib.gusset_scene_set_entry, self._handle, place, changes, is_short=True)
 
     def entry(self, entry: int) -> SceneEntryReport:
-        """What an entry is: ``kind``, ``transform``, ``visible``, ``child_count``."""
+        """Describes an entry: kind, map, visibility, number of children."""
         place = index(entry, "entry")
         with self._alone():
             return SceneEntryReport.read(self._handle, place)
 
     def net(self, entry: int) -> Net:
-        """The net of an entry."""
+        """Returns the net of an entry."""
         place = index(entry, "entry")
         with self._alone():
             return Net._of(create("net", self._handle, place, name="scene_net"))
 
     def children(self, group: int) -> NDArray[np.uint32]:
-        """The entries of a group, in order."""
+        """Lists the entries of a group, in order."""
         place, written = index(group, "group"), ffi.new("size_t *")
         with self._alone():
             call(lib.gusset_scene_get_children, self._handle, place, ffi.NULL, 0, written, is_short=True)
@@ -121,18 +122,18 @@ class Scene(Exclusive, Handle):
         return out
 
     def world_transforms(self) -> SceneInstanceArray:
-        """All instances, each a path from the top to an entry, after its group: ``world`` is the map into the space of the scene."""
+        """Lists all instances, each a path from a top-level entry to an entry. ``world`` is the map into the space of the scene."""
         with self._alone():
             return listed(SceneInstanceArray, lib.gusset_scene_world_transforms, self._handle)
 
     @property
     def report(self) -> SceneReport:
-        """How many nets, groups, instances and levels it has."""
+        """The numbers of nets, groups, instances and levels."""
         with self._alone():
             return SceneReport.read(self._handle)
 
     def flatten(self, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[ConcatenateOptions]) -> Net:
-        """All visible nets as one, in the space of the scene; without options from top to bottom, with hidden bridges."""
+        """Joins all visible nets into one, in the space of the scene. Without options: from top to bottom, with hidden bridges."""
         given = structs("concatenate_options", options)
         with self._alone():
             return Net._of(create("net", self._handle, given, name="scene_flatten", threads=threads, progress=progress))

@@ -1,4 +1,4 @@
-"""Sheets from patches, splines, nets of curves and frames; their offsets, curves and measures."""
+"""Makes sheets from patches, splines, curves and frames; measures and offsets sheets."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _CELL_ARRAYS = ("diameters", "intrinsic_diameters", "errors", "bilinear", "trian
 
 
 def tangents_of(tangents: Optional[tuple[ArrayLike, ArrayLike]], twists: GivenTwists, shape: tuple[int, ...]) -> Any:
-    """A gusset_tangents: arrays like the nodes, towards the next row and the next column; NULL for none."""
+    """Makes a gusset_tangents from arrays like the nodes, towards the next row and the next column; NULL for None."""
     if tangents is None:
         return ffi.NULL
     arrays = [numbers(one, shape, "tangents") for one in tangents]
@@ -44,7 +44,7 @@ def tangents_of(tangents: Optional[tuple[ArrayLike, ArrayLike]], twists: GivenTw
 
 
 class SheetMaking(Reported[SheetReport]):
-    """The part of :class:`Sheet` that makes sheets of other things, and curves and measures of sheets."""
+    """The part of :class:`Sheet` that makes sheets from other shapes, and measures them."""
 
     REPORT = SheetReport
 
@@ -56,7 +56,7 @@ class SheetMaking(Reported[SheetReport]):
 
     @classmethod
     def from_patches(cls, points: ArrayLike) -> Self:
-        """Bezier patches in rows and columns.
+        """Makes a sheet of Bezier patches in rows and columns.
 
         Args:
             points: (rows, columns, degree_u + 1, degree_v + 1, 3) control points, degrees 1 to 7.
@@ -72,15 +72,15 @@ class SheetMaking(Reported[SheetReport]):
         closed_u: bool = False, closed_v: bool = False, tolerance: float = 0.0, max_cells: int = 0, threads: int = 0,
         progress: Optional[Progress] = None,
     ) -> Self:
-        """A tensor-product B-spline, rational (NURBS) with weights.
+        """Makes a sheet of a tensor-product B-spline, rational (NURBS) if it has weights.
 
         Args:
             points: (count_u, count_v, 3) control points, not multiplied by weights.
-            knots_u, knots_v: control points + degree + 1 knots; of a closed direction control points + 1, one period.
+            knots_u, knots_v: control points + degree + 1 knots; in a closed direction control points + 1, one period.
             degree_u, degree_v: 1 to 7.
             weights: (count_u, count_v), above 0.
-            tolerance: how far patches may be from a rational spline; 0: 1e-12 of its size.
-            max_cells: no more cells than this; 0: 2^20.
+            tolerance: largest distance of patches from a rational spline; 0: 1e-12 of its size.
+            max_cells: largest number of cells of a rational spline; 0: 2^20.
 
         >>> import numpy as np, gusset_mesh as gm
         >>> arc, w = np.array([[1, 0, 0], [1, 1, 0], [0, 1, 0]]), np.array([1, 0.5**0.5, 1])
@@ -106,12 +106,12 @@ class SheetMaking(Reported[SheetReport]):
         cls, rows: Sequence[Curve] = (), columns: Sequence[Curve] = (), *, tolerance: float = 0.0, closed_u: bool = False, closed_v: bool = False,
         threads: int = 0, progress: Optional[Progress] = None,
     ) -> Self:
-        """Gordon's surface of a net of curves, which contains all of them; two rows and two columns give Coons's patch.
+        """Makes Gordon's surface of a net of curves, which contains all of them. Two rows and two columns give Coons's patch.
 
         Args:
-            rows: curves in v, each of which meets each column; none: the skin of the columns.
-            columns: curves in u; none: the skin of the rows.
-            tolerance: the largest distance of curves where they meet; 0: 1e-6 of their size.
+            rows: curves in v, ordered by u. Each meets each column. Without rows: the skin of the columns.
+            columns: curves in u, ordered by v. Without columns: the skin of the rows.
+            tolerance: largest distance of two curves where they meet; 0: 1e-6 of their size.
             closed_u: the columns are closed, and the first row follows the last.
             closed_v: the rows are closed, and the first column follows the last.
         """
@@ -124,17 +124,18 @@ class SheetMaking(Reported[SheetReport]):
     def from_frame(
         cls, frame: Frame, kind: FrameSurface = "nodes", *, threads: int = 0, progress: Optional[Progress] = None
     ) -> Self:
-        """The surface of a frame, through its nodes or of its curves: u runs along the body, v round it."""
-        return cls._of(create("sheet", handle_of("frame", frame), number_of("gusset_frame_surface", "kind", kind), name="sheet_from_frame", threads=threads, progress=progress))
+        """Makes the surface of a frame, through its nodes or its curves. u runs along the body, v round it."""
+        which = number_of("gusset_frame_surface", "kind", kind)
+        return cls._of(create("sheet", handle_of("frame", frame), which, name="sheet_from_frame", threads=threads, progress=progress))
 
     def offset(self, distances: ArrayLike, *, threads: int = 0, progress: Optional[Progress] = None) -> tuple[Self, float]:
-        """A grid through the corners of cells, each moved along its normal.
+        """Makes a grid through the corners of cells, each moved along its normal.
 
         Args:
-            distances: one for all, rows + 1, or (rows + 1, columns + 1) for cells in rows and columns.
+            distances: one for all corners, one for each of the rows + 1 lines of corners, or (rows + 1, columns + 1).
 
         Returns:
-            the sheet, and its largest deviation at middles of cells from the true offset.
+            the sheet, and its largest deviation from the true offset at middles of cells.
 
         >>> import numpy as np, gusset_mesh as gm
         >>> u, v = np.meshgrid(np.linspace(0, 1, 8), np.linspace(0, 1, 8), indexing="ij")
@@ -149,21 +150,21 @@ class SheetMaking(Reported[SheetReport]):
         return self._of(made), float(deviation[0])
 
     def curve(self, along: Literal["rows", "columns"], parameter: float) -> Curve:
-        """The coordinate curve along rows (u is constant) or along columns (v is constant)."""
+        """Makes the coordinate curve along rows (u is constant) or along columns (v is constant)."""
         return Curve(create("curve", self._handle, one_of(_ALONG, "along", along), float(parameter), name="sheet_curve"))
 
     def measure(self, *, threads: int = 0, progress: Optional[Progress] = None) -> SheetMeasures:
-        """``diameter``, ``intrinsic_diameter``, ``curvature_bound`` and ``crease``."""
+        """Measures the sheet: diameters, a bound of curvatures, the largest crease."""
         return answer(SheetMeasures, lib.gusset_sheet_measure, self._handle, 0, ffi.NULL, threads=threads, progress=progress)
 
     def measure_cells(
         self, *names: Literal["diameters", "intrinsic_diameters", "errors", "bilinear", "triangles"], threads: int = 0,
         progress: Optional[Progress] = None,
     ) -> dict[str, NDArray[np.float64]]:
-        """Numbers of all cells: bounds of diameters, estimated errors, bounds of the distance from bilinear patches or triangles.
+        """Measures cells: bounds of diameters, estimated errors, bounds of the distance from bilinear patches or triangles.
 
         Returns:
-            for each name an array (rows, columns).
+            an array (rows, columns) for each name.
         """
         rows, columns = self.report.rows, self.report.columns
         out: dict[str, NDArray[np.float64]] = {one: np.zeros((rows, columns)) for one in names}

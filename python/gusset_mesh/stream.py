@@ -1,4 +1,4 @@
-"""Streams of nets that arrive in pieces."""
+"""Decodes streams that arrive in pieces."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ __all__ = ["StreamDecoder"]
 
 
 class StreamDecoder(Exclusive, Handle):
-    """Decodes a stream of :meth:`Net.encode` while it arrives.
+    """A decoder of a stream that arrives in pieces. :meth:`Net.encode` makes streams.
 
     Args:
-        node_limit: no more nodes than this; 0: as many as there are. Memory is allocated before the stream is complete.
+        node_limit: largest number of nodes; 0: no limit. Memory is allocated before the stream is complete.
 
     >>> import gusset_mesh as gm
     >>> data, decoder = gm.Net.primitive(shape="sphere", radius=1).encode(rows_per_block=8), StreamDecoder()
@@ -34,18 +34,18 @@ class StreamDecoder(Exclusive, Handle):
         Handle.__init__(self, create("stream_decoder", index(node_limit, "node_limit", 64)))
 
     def push(self, data: Any, *, threads: int = 0) -> int:
-        """Takes the next bytes; returns the number of complete rows so far."""
+        """Decodes the next bytes. Returns the number of complete rows so far."""
         array, done = bytes_of(data), ffi.new("size_t *")
         with self._alone():
             call(lib.gusset_stream_decoder_push, self._handle, pointer(array), array.size, done, threads=threads)
         return int(done[0])
 
     def preview(self, *, threads: int = 0, progress: Optional[Progress] = None) -> Net:
-        """The complete rows as a net without gluing and bridges."""
+        """Makes a net of the complete rows, without gluing and bridges."""
         with self._alone():
             return Net._of(create("net", self._handle, name="stream_decoder_preview", threads=threads, progress=progress))
 
     def finish(self, *, threads: int = 0, progress: Optional[Progress] = None) -> Net:
-        """The whole net; the decoder is empty again."""
+        """Makes the net of a complete stream, and resets the decoder."""
         with self._alone():
             return Net._of(create("net", self._handle, name="stream_decoder_finish", threads=threads, progress=progress))

@@ -36,7 +36,8 @@ class Sheet(SheetMaking):
 
     Args:
         nodes: (rows, columns, 3), 32- or 64-bit floats.
-        tangents: tangents at the nodes, two arrays like the nodes: towards the next row, and towards the next column. None: the scheme determines them.
+        tangents: tangents at the nodes, two arrays like the nodes: towards the next row, and towards the next column. Without them the scheme
+            applies.
         twists: rule for the mixed derivatives of a surface with tangents, or an array of them like the nodes.
         closed_u: whether the surface is closed from the last row to the first. The last row repeats the first.
         closed_v: the same for columns.
@@ -44,8 +45,8 @@ class Sheet(SheetMaking):
     """
 
     def __init__(
-        self, nodes: ArrayLike, tangents: Optional[tuple[ArrayLike, ArrayLike]] = None, *, twists: GivenTwists = "differences", closed_u: bool = False,
-        closed_v: bool = False, scheme: Scheme = "six_tap",
+        self, nodes: ArrayLike, tangents: Optional[tuple[ArrayLike, ArrayLike]] = None, *, twists: GivenTwists = "differences",
+        closed_u: bool = False, closed_v: bool = False, scheme: Scheme = "six_tap",
     ):
         array = np.asarray(nodes)
         if array.dtype not in (np.float32, np.float64):

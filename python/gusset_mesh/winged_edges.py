@@ -1,7 +1,6 @@
-"""Winged-edge tables of meshes, as Baumgart has them, and meshes of such tables.
+"""Makes winged-edge tables of meshes, in Baumgart's notation, and meshes from such tables.
 
-The other functions of ``gusset/papers.h``, which search and measure as the papers print it, stay in C: :class:`Surface` answers the same
-questions faster.
+The package omits the other functions of ``gusset/papers.h``, the searches of the papers: :class:`Surface` answers the same queries faster.
 """
 
 from __future__ import annotations
@@ -26,13 +25,13 @@ __all__ = ["Winged", "WingedFaces", "winged", "winged_faces"]
 
 
 class Winged(Reported[WingedView]):
-    """The winged-edge tables of a mesh; the report has ``edge_of_face``, ``edge_of_vertex``, ``loop_vertices`` and more."""
+    """The winged-edge tables of a mesh, and its boundary loops."""
 
     REPORT = WingedView
 
     @property
     def edges(self) -> WingedEdgeArray:
-        """The edges, in Baumgart's letters; 2^32 - 1 is none."""
+        """The edges in Baumgart's notation; 2^32 - 1 is NULL."""
         return self.report.edges
 
     @property
@@ -43,7 +42,7 @@ class Winged(Reported[WingedView]):
 
 
 def winged(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[WingedOptions]) -> Winged:
-    """The winged-edge tables of a mesh, and its boundary loops.
+    """Makes the winged-edge tables of a mesh, and finds its boundary loops.
 
     >>> len(winged(([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]])).edges)
     5
@@ -52,12 +51,12 @@ def winged(mesh: MeshLike, *, threads: int = 0, progress: Optional[Progress] = N
 
 
 class WingedFaces(Reported[WingedFacesView]):
-    """The faces of winged-edge tables: ``face_offsets`` and ``face_corners`` in the report."""
+    """The faces of a winged-edge table."""
 
     REPORT = WingedFacesView
 
     def mesh(self, points: ArrayLike) -> Mesh:
-        """The mesh of these faces through points (n, 3)."""
+        """Makes the mesh of these faces through points (n, 3)."""
         return Mesh.from_polygons(points, self.report.face_offsets, self.report.face_corners)
 
 
@@ -65,12 +64,12 @@ def winged_faces(
     edges: WingedEdgeArray, vertex_count: int, first_edges: Optional[ArrayLike] = None, *, threads: int = 0, progress: Optional[Progress] = None,
     **options: Unpack[WingedOptions],
 ) -> WingedFaces:
-    """The faces of a winged-edge table, whose records are checked against each other.
+    """Reads the faces of a winged-edge table, and checks the records against each other.
 
     Args:
         edges: as :attr:`Winged.edges`.
-        vertex_count: more than every vertex of an edge.
-        first_edges: for each face the edge where it begins; None: the lowest.
+        vertex_count: exceeds every vertex of an edge.
+        first_edges: for each face, the edge where it begins; None: the lowest edge.
 
     Raises:
         InputError: a record contradicts another; ``index`` is the edge.
