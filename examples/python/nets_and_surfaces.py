@@ -8,7 +8,7 @@ import gusset_mesh as gm
 strip = gm.Net.primitive(shape="plane", size=(1, 2 * np.pi, 0), rows=65, columns=9)
 ring = strip.deform(gm.fields.wrap_cylinder("x", 1.0)).glue(detect=1e-9)
 twisted = ring.deform(gm.fields.twist("x", rate=0.5), gm.fields.taper("x", rate=-0.3))
-print("a ring with", len(ring.complex().report.boundary_offsets) - 1, "borders, of volume", round(twisted.measure().volume, 3))
+print("a ring with", len(ring.complex().report.boundary_offsets) - 1, "borders, twisted to an area of", round(twisted.measure().area, 3))
 #! [fields]
 
 #! [gluing]
