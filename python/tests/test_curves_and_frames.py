@@ -88,6 +88,9 @@ def test_frames():
     section = frame.slice([0, 0, 1.5], [0, 0, 1]).curve
     assert section.length == pytest.approx(2 * np.pi * 1.3, rel=1e-3) and np.allclose(section.controls[:, 2], 1.5)
     even = gm.Frame(RINGS, closed=True, correspondence="arc_length", columns=10)
+    other = np.linspace(0, 2 * np.pi, 30, endpoint=False)
+    uneven = gm.Frame([*RINGS[:3], np.stack([1.6 * np.cos(other), 1.6 * np.sin(other), 3 + 0 * other], axis=1)], closed=True, correspondence="arc_length", columns=10)
+    assert np.allclose(uneven.nodes, even.nodes, atol=2e-3)
     assert even.nodes.shape == (4, 10, 3) and np.allclose(np.hypot(even.nodes[1, :, 0], even.nodes[1, :, 1]), 1.2, atol=1e-3)
     tube = gm.Frame([ring * [1 / (1 + 0.2 * k), 1 / (1 + 0.2 * k), 1] for k, ring in enumerate(RINGS)], closed=True)
     moved = tube.offset([0.1, 0.2, 0.3, 0.4])
@@ -112,6 +115,8 @@ def test_strips():
     faces, check = made.mesh.faces, gm.check(made.mesh)
     assert len(faces) == 48 and check.is_manifold and check.is_oriented and check.report.euler == 0
     assert np.array_equal(made.mesh.points, np.concatenate([RINGS[0], RINGS[3]]))
+    uneven = gm.strip(RINGS[0], RINGS[3][::2], closed=True).mesh
+    assert np.array_equal(uneven.points, np.concatenate([RINGS[0], RINGS[3][::2]])) and uneven.face_count == 36
     fine = gm.strip(RINGS[0], RINGS[3], closed=True, rows="count", row_count=2, cells="quads", meridians="index")
     assert fine.mesh.face_count == 72 and fine.report.matrix.shape == (4, 25) and fine.report.row_count == 2
     heights = fine.carry([RINGS[0][:, 2], RINGS[3][:, 2]])
@@ -123,6 +128,8 @@ def test_facing_vertices():
     found = gm.facing(square, square + [3, 0, 0])
     assert found.report.taken.tolist() == [[1, 2], [3, 2]]
     assert np.allclose(found.report.centre, [[0.5, 0.5, 0], [3.5, 0.5, 0]])
+    few = gm.facing(square, square[:3] + [3, 0, 0])
+    assert [len(one) for one in few.report.distances] == [4, 3] and np.allclose(few.report.centre[1], square[:3].mean(axis=0) + [3, 0, 0])
     for k in (0, 1):
         normal = found.report.normal[k] / np.linalg.norm(found.report.normal[k])
         assert np.allclose(found.report.distances[k], (square + [3 * k, 0, 0] - found.report.centre[k]) @ normal)

@@ -77,6 +77,15 @@ def test_gluing_by_sides_and_seams():
     assert len(band.gluing.seams) == 1 and sorted(map(list, band.groups())) == sorted(sorted([7 * k, 34 - 7 * k]) for k in range(5))
 
 
+def test_orientable_although_not_oriented():
+    """Two sheets side by side, glued along sides that are not next to each other: one of them must be turned over."""
+    pair = gm.Net.concatenate([NET, NET.translate([0, 9, 0])], mode="hide").glue(LocalGluing.along(seam((0, 0), (1, 0), (0, 7), (1, 0), 5)))
+    found = pair.complex("present")
+    assert found.is_orientable and not found.is_oriented and found.report.component_count == 1
+    # The hidden cells between them are a third face at the glued edges.
+    assert len(found.report.branches) == 0 and len(pair.complex("all").report.branches) == 4
+
+
 def test_gluing_of_nodes():
     glued = NET.glue(LocalGluing.star(8, "east", "south"), LocalGluing.link(2 * 24), LocalGluing.diagonal(20, "falling"))
     assert sorted(map(list, glued.groups())) == [[8, 9, 15], [23, 31], [24, 25]]
