@@ -58,7 +58,7 @@ class Commands(unittest.TestCase):
 
     def test_orient(self):
         self.expect(DONE, "check", "turned.off", says="1 edge with inconsistently oriented faces: ")
-        self.expect(DONE, "orient", "turned.off", "-o", "oriented.off", says="1 of 2 faces turned over, 1 piece\n")
+        self.expect(DONE, "orient", "turned.off", "-o", "oriented.off", says="1 of 2 faces reversed, 1 piece\n")
         self.expect(DONE, "check", "oriented.off", says="manifold, oriented\n")
 
     def test_what_comes_out_needs_a_file(self):

@@ -140,7 +140,7 @@ fn offsets_of_circles_are_circles() {
     assert_eq!(refused, Err(Error::CurveNotPlane { point: 2 }));
     let curves = polylines(&[(circle(64, 2.0, [0.0; 3]), true)]);
     let tight = set("curve_offset", &curves, &[("between", &[2.0]), ("distance", &[3.0])]);
-    assert!(text(&run_on_curves("curve_offset", &[curves], &tight).unwrap()[1]).contains("tighter"));
+    assert!(text(&run_on_curves("curve_offset", &[curves], &tight).unwrap()[1]).contains("less than the distance"));
 }
 
 #[test]

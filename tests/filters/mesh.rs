@@ -96,7 +96,7 @@ fn closed_results_are_turned_outwards_as_the_flags_say() {
             };
             let all = if id == "assemble" { faces } else { joined.len() };
             assert_eq!(count, if set { all } else { 0 }, "{id} {set}");
-            assert_eq!(text(&outputs[1]).contains("turned over"), set, "{}", text(&outputs[1]));
+            assert_eq!(text(&outputs[1]).contains(" reversed"), set, "{}", text(&outputs[1]));
         }
     }
 }
@@ -144,7 +144,7 @@ fn welding_and_checking_agree_in_their_words_and_numbers() {
     let welded = run_on("weld", std::slice::from_ref(&soup), &[]).unwrap();
     assert_eq!(
         text(&welded[1]),
-        "2 vertices welded, 1 edge sewn, 0 faces dropped\nno coincident borders are left apart\n"
+        "2 vertices welded, 1 edge sewn, 0 faces dropped\nall coincident borders are welded\n"
     );
     assert_eq!(value(&welded[1], "coincident_boundary_edges"), 0.0);
     let Output::Mesh(mesh, _) = &welded[0] else { panic!("{welded:?}") };
@@ -159,8 +159,8 @@ fn welding_and_checking_agree_in_their_words_and_numbers() {
     soup.face(&[8, 9, 10]);
     let left = run_on("weld", &[soup], &[]).unwrap();
     let count = value(&left[1], "coincident_boundary_edges");
-    assert!(count > 0.0 && text(&left[1]).contains("left apart: "), "{}", text(&left[1]));
-    assert!(text(&left[1]).contains("that lie on others"), "{}", text(&left[1]));
+    assert!(count > 0.0 && text(&left[1]).contains("not welded: "), "{}", text(&left[1]));
+    assert!(text(&left[1]).contains("that coincide with others"), "{}", text(&left[1]));
 }
 
 #[test]
@@ -173,7 +173,7 @@ fn borders_that_do_not_match_are_sewn_and_assembled() {
     let sewn = run_on("sew", &[upper.and(&lower)], &[]).unwrap();
     assert_eq!(
         text(&sewn[1]),
-        "2 vertices welded, 2 edges sewn, 1 face split at 1 point\n0 vertices left that lie on others or on edges\n"
+        "2 vertices welded, 2 edges sewn, 1 face split at 1 point\nnot welded: 0 vertices that lie on other vertices or on edges\n"
     );
     let Output::Mesh(mesh, _) = &sewn[0] else { panic!("{sewn:?}") };
     assert_eq!((mesh.positions.len(), mesh.face_count()), (6, 3));

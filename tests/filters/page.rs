@@ -12,13 +12,13 @@ const HEAD: &str = "# Filters
 Every capability of the library that makes sense on meshes or curves in a host, as plugin hosts list it. This page is made from
 the table in `crates/gusset-filters` by `GUSSET_UPDATE=1 cargo test --test filters page`.
 
-Meshes are polygon meshes, curves are polylines, open or closed, and text is for a log window. *Takes the place of its first
-input* means that a host shows the first output where the first input was. Defaults marked with a star are only what is taken if
-nothing better is known: the filter suggests values that suit its inputs. *Attributes are carried over* means that hosts get for the
-first output what vertices, corners and faces of the inputs have beside positions ([Attributes](guides/attributes.md)).
+Meshes are polygon meshes, curves are open or closed polylines, and text is for a log window. *Takes the place of its first
+input* means that a host replaces the first input by the first output. A star marks a default that follows the inputs: the filter
+suggests a value that suits them, and takes the value shown if it cannot. *Attributes are carried over* means that hosts can carry
+attributes of vertices, corners and faces from the inputs to the first output ([Attributes](guides/attributes.md)).
 
-Parameters may be given by fewer values than there are: the rest are the defaults. A value out of range is refused with the
-parameter's name, inputs of a wrong kind or number with the name `inputs`.
+Hosts may give fewer values than there are parameters: the rest are defaults. A value out of range is refused with the parameter's
+name, and inputs of a wrong kind or number with the name `inputs`.
 ";
 
 fn plain(value: f64) -> String {

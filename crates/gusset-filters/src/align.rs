@@ -1,10 +1,8 @@
 use super::data::{Input, Output};
-use super::filter::Filter;
-use super::param::{Param, Values};
-use super::report::PIECE;
-use super::report::{Report, counted, push_line, short};
+use super::filter::{Body, Filter};
+use super::report::{PIECE, Report, counted, push_line, short};
 use super::signatures::{MESH, TO_MESH_TEXT};
-use super::weld::TOLERANCES;
+use super::typed::{MAX_COUNT, NON_NEGATIVE_OR_AUTO, Param, Values, params};
 use gusset_attributes::{KeepSplits, Origins};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -15,43 +13,54 @@ pub(super) const FILTER: Filter = Filter {
     id: "align",
     name: "Align pieces",
     category: "Stitching",
-    help: "Moves pieces that overlap, or that are parts of one broken surface, rigidly to where they fit, all at once; the first one \
-           stays. The result is one mesh of all pieces side by side, not joined. The report says of each piece, counted from 0, \
-           whether it can be trusted to lie right, and gives its motion as three rows of four numbers, a rotation and a shift. \
-           Normals that vertices carry are not turned with them.",
-    reference: "P. Besl, N. McKay, A method for registration of 3-D shapes (1992); Y. Chen, G. Medioni, Object modelling by registration \
-                of multiple range images (1992); P. Neugebauer, Reconstruction of real-world objects via simultaneous registration \
-                (1997); S. Rusinkiewicz, A symmetric objective function for ICP (2019)",
+    help: "Moves all pieces rigidly to where they fit: pieces that overlap, or parts of one broken surface. The first piece \
+           stays. The result is one mesh of all pieces, not joined. The report says whether the place of each piece, counted \
+           from 0, can be trusted. It gives the motion of the piece as three rows of four numbers: a rotation and a \
+           translation. Normals that vertices carry keep their directions.",
+    reference: "P. Besl, N. McKay, A method for registration of 3-D shapes (1992); Y. Chen, G. Medioni, Object modelling by \
+                registration of multiple range images (1992); P. Neugebauer, Reconstruction of real-world objects via \
+                simultaneous registration (1997); S. Rusinkiewicz, A symmetric objective function for ICP (2019)",
     max_inputs: 1 << 16,
     has_origins: true,
-    params: &[
-        Param::choice("start", "Start", STARTS.texts).with_help("Where the pieces are to begin with."),
-        Param::length("max_distance", "Greatest distance", TOLERANCES, &[-1.0]).with_help(
-            "Points that are farther from another piece are no pair with it; the pieces must begin that near to where they \
-             belong. 0 and -1 take a tenth of the diagonal of the largest piece's box.",
-        ),
-        Param::int("samples", "Points", [1.0, u32::MAX as f64], &[2000.0])
-            .with_help("So many points of each piece are looked for on the others."),
-        Param::int("max_rounds", "Most rounds", [1.0, 1e6], &[100.0])
-            .with_help("The largest number of rounds in each of two stages; they end before once nothing moves."),
-    ],
-    ..Filter::new(MESH, TO_MESH_TEXT, run)
+    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
 };
+
+params! {
+    start: Start<'static> = Param::choice("Start", "The positions that the pieces start from.", STARTS);
+    max_distance: Option<f64> = Param::length(
+        "Greatest distance",
+        "Points farther than this from another piece form no pair with it, so the pieces must start this near to their \
+         places. 0 and -1 take a tenth of the diagonal of the largest piece's box.",
+        NON_NEGATIVE_OR_AUTO, &[-1.0],
+    ).if_positive();
+    samples: u32 = Param::int(
+        "Points",
+        "The number of points of each piece for which the nearest points of the others are found.",
+        [1.0, MAX_COUNT], &[2000.0],
+    );
+    max_rounds: u32 = Param::int(
+        "Most rounds",
+        "The largest number of rounds in each of two stages. A stage ends early once nothing moves.",
+        [1.0, 1e6], &[100.0],
+    );
+}
 
 choices! {
     STARTS: Start<'static> =
-        Start::AsGiven => "As they lie", "Each piece begins where its positions say.";
-        Start::PrincipalAxes => "Principal axes", "Those of each on those of the first: pieces that show the same object whole.";
-        Start::Rims => "Rims", "By rims that run alike: pieces of one surface that was cut or broken, which need not overlap.";
+        Start::AsGiven => "As they lie", "Each piece starts where it lies.";
+        Start::PrincipalAxes => "Principal axes",
+            "The principal axes of each piece are placed on those of the first, for pieces that each show the whole object.";
+        Start::Rims => "Rims",
+            "Rims of the same course are placed on each other, for pieces of one cut or broken surface. They need not overlap.";
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let pieces = alloc::try_collect(inputs.iter().map(|input| input.mesh().copied()))?;
     let options = Options {
-        start: values.choice("start", STARTS),
-        max_distance: Some(values.number("max_distance")).filter(|&distance| distance > 0.0),
-        samples: values.number("samples") as u32,
-        max_rounds: values.number("max_rounds") as u32,
+        start: values.start,
+        max_distance: values.max_distance,
+        samples: values.samples,
+        max_rounds: values.max_rounds,
     };
     let found = align(&pieces, &options, &job.part(0.0, 0.9))?;
     let mut moved = found.moved(&pieces, &job.part(0.9, 1.0))?;
@@ -60,26 +69,26 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     Ok(vec![Output::Mesh(moved.0, origins), Output::Text(report(&found))])
 }
 
-/// Why a piece is not trusted to lie right.
+/// The reason why the place of a piece is not trusted.
 pub(super) fn why_not(reason: Reason) -> &'static str {
     match reason {
         Reason::Trusted => "",
-        Reason::NoOverlap => "it lies on no other piece, or on too little of one",
-        Reason::PoorFit => "too much of it lies off the pieces that it is near",
-        Reason::Undetermined => "the overlaps leave it free to slide or to turn",
-        Reason::FacesOtherWay => "it faces the other way than the pieces that it lies on",
-        Reason::OtherSize => "its unit of length seems to be another",
-        Reason::TrustedByNone => "it fits pieces only that are not trusted",
+        Reason::NoOverlap => "it overlaps no other piece, or too little of one",
+        Reason::PoorFit => "too many of its points lie off the pieces near it",
+        Reason::Undetermined => "its overlaps let it slide or rotate",
+        Reason::FacesOtherWay => "it faces the opposite way to the pieces that it overlaps",
+        Reason::OtherSize => "its unit of length seems to differ",
+        Reason::TrustedByNone => "it fits only pieces that are not trusted",
     }
 }
 
 fn report(found: &Alignment) -> Report {
     let trusted = found.pieces.iter().filter(|piece| piece.reason == Reason::Trusted).count();
     let mut text = format!(
-        "{trusted} of {} trusted to lie right\n{}: {}\n",
+        "{trusted} of {} trusted\n{}: {}\n",
         counted(found.pieces.len(), PIECE),
         counted(found.rounds, ["round", "rounds"]),
-        if found.converged { "nothing moves any more" } else { "they still move" }
+        if found.converged { "the pieces are at rest" } else { "the pieces still move" }
     );
     for (k, piece) in found.pieces.iter().enumerate() {
         let why = match piece.reason {

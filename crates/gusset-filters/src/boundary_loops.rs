@@ -1,9 +1,8 @@
 use super::data::{Curves, Input, Output};
-use super::filter::Filter;
-use super::param::{Param, Values};
-use super::report::{BOUNDARY_LOOP, EDGE};
-use super::report::{Report, counted, push_line, push_more, short};
+use super::filter::{Body, Filter};
+use super::report::{BOUNDARY_LOOP, EDGE, Report, counted, push_line, push_more, short};
 use super::signatures::{MESH, TO_CURVES_TEXT};
+use super::typed::{Param, Values, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_stitch::boundary::{Boundary, LoopFlags, NonManifold, Options, boundary_loops};
@@ -15,18 +14,24 @@ pub(super) const FILTER: Filter = Filter {
     id: "boundary_loops",
     name: "Boundary loops",
     category: "Boundary",
-    help: "Finds every boundary loop of a mesh as a polyline: the chains of edges with a face on one side only. The surface \
-           lies to the left of a loop. Where the boundary touches itself it is divided into simple loops.",
+    help: "Finds every boundary loop of a mesh as a polyline: a chain of edges with a face on one side only. The surface lies \
+           to the left of a loop. Where the boundary touches itself, it is divided into simple loops.",
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking, algorithm 1",
-    params: &[Param::choice("non_manifold", "Edges with three or more faces", NonManifold::CHOICES.texts)
-        .with_help("The course of a loop at an edge with three or more faces.")],
-    ..Filter::new(MESH, TO_CURVES_TEXT, run)
+    ..Filter::new(MESH, TO_CURVES_TEXT, &Body(run))
 };
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+params! {
+    non_manifold: NonManifold = Param::choice(
+        "Edges with three or more faces",
+        "The course of a loop at an edge with three or more faces.",
+        NonManifold::CHOICES,
+    );
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let mesh = inputs[0].mesh()?;
-    let non_manifold = values.choice("non_manifold", NonManifold::CHOICES);
-    let boundary = boundary_loops(mesh, &Options { non_manifold, ..Options::default() }, job)?;
+    let options = Options { non_manifold: values.non_manifold, ..Options::default() };
+    let boundary = boundary_loops(mesh, &options, job)?;
     let mut curves = Curves::none();
     for found in boundary.iter() {
         curves.add(found.vertices.iter().map(|&v| mesh.positions().get(v)), !found.flags.any(LoopFlags::OPEN))?;
@@ -42,7 +47,7 @@ fn report(boundary: &Boundary) -> Report {
     }
     push_more(&mut text, boundary.len(), MAX_LISTED);
     if !boundary.defects().is_empty() {
-        push_line!(text, "{} of the mesh", counted(boundary.defects().len(), ["defect", "defects"]));
+        push_line!(text, "the mesh has {}", counted(boundary.defects().len(), ["defect", "defects"]));
     }
     let length = boundary.iter().map(|found| found.length).sum();
     let values = [

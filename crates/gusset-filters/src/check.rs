@@ -1,9 +1,8 @@
 use super::data::{Input, Output};
-use super::filter::Filter;
-use super::param::{Param, Values};
-use super::report::{BOUNDARY_EDGE, EDGE, FACE, Noun, PIECE, VERTEX};
-use super::report::{Report, counted};
+use super::filter::{Body, Filter};
+use super::report::{BOUNDARY_EDGE, EDGE, FACE, Noun, PIECE, Report, VERTEX, counted};
 use super::signatures::{MESH, TO_TEXT};
+use super::typed::{LISTED, Param, Values, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_stitch::check::{Check, check};
@@ -16,16 +15,19 @@ pub(super) const FILTER: Filter = Filter {
            non-manifold vertices, inconsistently oriented, duplicate, degenerate and zero-area faces, unused vertices; and the \
            number of components, the Euler characteristic and the genus.",
     reference: "Counts on half-edges; genus by Euler's formula",
-    params: &[Param::int("listed", "Elements listed", [0.0, 1e6], &[20.0])
-        .with_help("The largest number of elements that are listed for each kind of defect.")],
-    ..Filter::new(MESH, TO_TEXT, run)
+    ..Filter::new(MESH, TO_TEXT, &Body(run))
 };
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+params! {
+    listed: u32 =
+        Param::int("Elements listed", "The largest number of elements listed for each kind of defect.", LISTED, &[20.0]);
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let mesh = inputs[0].mesh()?;
     let found = check(mesh, job)?;
     let mut text = summary(&found);
-    let max = values.number("listed") as usize;
+    let max = values.listed as usize;
     let faces = mesh.faces();
     let name = |kind: usize, element: u32| match kind {
         // Edges are named by their ends, vertices and faces by their numbers.
@@ -82,7 +84,7 @@ fn summary(found: &Check) -> String {
         yes(found.manifold, "manifold", "not manifold"),
         match (found.oriented, found.orientable) {
             (true, _) => "oriented",
-            (false, true) => "not oriented, but faces can be turned over until it is",
+            (false, true) => "not oriented, but orientable by reversing faces",
             (false, false) => "one-sided",
         },
         found.euler

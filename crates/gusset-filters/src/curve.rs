@@ -1,11 +1,8 @@
-//! Common parts of filters of curves: the Bézier curves that interpolate polylines, and the plane
-//! that they lie in.
+//! Common parts of filters of curves: Bézier curves that interpolate polylines, and their plane.
 
 use super::data::{Curves, Input};
-use super::extent::extent_of;
-use super::extent::plane_of;
-use super::filter::Defaults;
-use super::param::{Param, Values};
+use super::extent::{extent_of, plane_of};
+use super::typed::{Param, Plane, TypedParam};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -25,32 +22,29 @@ choices! {
 }
 
 /// The interpolation of polylines.
-pub(super) const INTERPOLATION: Param = Param::choice("between", "Between the points", CURVES_THROUGH.texts)
-    .with_help("The curves through the given points.");
+pub(super) const INTERPOLATION: TypedParam<Option<Mode>> =
+    Param::choice("Between the points", "The curves through the given points.", CURVES_THROUGH);
 
 /// The fineness of curves.
-pub(super) const CHORD_ERROR: Param = Param::relative_error("chord_error", "Chord error").with_help(
+pub(super) const CHORD_ERROR: TypedParam<f64> = Param::relative_error(
+    "Chord error",
     "The largest distance of the resulting polylines from the curves, relative to the diagonal of the box of all curves.",
 );
 
 /// The plane of curves.
-pub(super) const PLANE: Param = Param::plane("plane", "Plane").with_help(
-    "The plane of the curves, within a millionth of their size; the one in which they enclose the largest area is suggested.",
-);
-
-/// Suggests [`PLANE`].
-pub(super) fn suggest_plane(inputs: &[Input<'_>], defaults: &mut Defaults<'_>) {
-    if let Some(Input::Curves(curves)) = inputs.first()
-        && let Some(plane) = plane_of(curves)
-    {
-        defaults.set(PLANE.id, &plane);
-    }
-}
+pub(super) const PLANE: TypedParam<Plane> = Param::plane(
+    "Plane",
+    "The plane of the curves, up to a millionth of their size. The plane in which they enclose the largest area is suggested.",
+)
+.suggested(|inputs, _| match inputs.first() {
+    Some(Input::Curves(curves)) => plane_of(curves),
+    _ => None,
+});
 
 /// The curve through a polyline, without segments if there are fewer than two distinct points.
 ///
 /// # Errors
-/// Those of [`fit`].
+/// The errors of [`fit`].
 fn curve(points: &[[f64; 3]], closed: bool, mode: Option<Mode>, job: &Job<'_>) -> Result<Curve> {
     if let Some(mode) = mode.filter(|_| !points.is_empty()) {
         let options = Options { mode, ..Options::default() };
@@ -67,19 +61,19 @@ fn curve(points: &[[f64; 3]], closed: bool, mode: Option<Mode>, job: &Job<'_>) -
 /// The curves through all polylines.
 ///
 /// # Errors
-/// Those of [`Curves::each`] and [`fit`].
-pub(super) fn curves(given: &Curves, values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Curve>> {
-    curves_of(given, values, job, |_, points| alloc::copied(points))
+/// The errors of [`Curves::each`] and [`fit`].
+pub(super) fn curves(given: &Curves, mode: Option<Mode>, job: &Job<'_>) -> Result<Vec<Curve>> {
+    curves_of(given, mode, job, |_, points| alloc::copied(points))
 }
 
-/// The curves through mapped polylines. `map` gets the number of the first point and the points.
+/// The curves through mapped polylines. `map` gets the index of the first point and the points.
 fn curves_of(
     given: &Curves,
-    values: &Values<'_>,
+    mode: Option<Mode>,
     job: &Job<'_>,
     map: impl Fn(usize, &[[f64; 3]]) -> Result<Vec<[f64; 3]>>,
 ) -> Result<Vec<Curve>> {
-    let (each, mode) = (given.each()?, values.choice(INTERPOLATION.id, CURVES_THROUGH));
+    let each = given.each()?;
     let mut curves = alloc::with_capacity(each.len())?;
     let mut first = 0;
     for (c, (points, closed)) in each.iter().enumerate() {
@@ -91,49 +85,45 @@ fn curves_of(
     Ok(curves)
 }
 
-/// The largest distance of chords.
-pub(super) fn chord(given: &Curves, values: &Values<'_>) -> f64 {
+/// The largest distance of chords that a relative [`CHORD_ERROR`] allows.
+pub(super) fn chord(given: &Curves, chord_error: f64) -> f64 {
     let size = extent_of(&[Input::Curves(given)]).map_or(0.0, |extent| extent.diagonal());
-    (values.number(CHORD_ERROR.id) * size).max(f64::MIN_POSITIVE)
+    (chord_error * size).max(f64::MIN_POSITIVE)
 }
 
-/// The points of a polyline along a curve; of a curve without segments its point.
+/// The points of a polyline along a curve. A curve without segments gives its only point.
 ///
 /// # Errors
-/// Those of [`CurveView::sampled`].
+/// The errors of [`CurveView::sampled`].
 pub(super) fn sampled(curve: &CurveView<'_>, spacing: Spacing, job: &Job<'_>) -> Result<Vec<DVec3>> {
     job.step(0.0, "points along a curve")?;
     if curve.is_empty() { alloc::copied(curve.points()) } else { Ok(curve.sampled(spacing, job)?.points) }
 }
 
-/// A plane with axes, those of space for the plane z = 0.
+/// A plane with axes. The plane z = 0 has the x and y axes of space.
 pub(super) struct CurvePlane {
     origin: DVec3,
     axes: [DVec3; 3],
 }
 
 impl CurvePlane {
-    /// The plane that is given as a parameter.
-    ///
-    /// # Errors
-    /// [`Error::OptionOutOfRange`].
-    pub(super) fn new(values: &Values<'_>) -> Result<Self> {
-        let (normal, distance) = values.plane(PLANE.id)?;
+    /// The plane of a parameter.
+    pub(super) fn new(Plane { normal, distance }: Plane) -> Self {
         let (u, v) = normal.any_orthonormal_pair();
         // Right-handed, so that orientation in the plane agrees with the view against its normal.
         let v = if u.cross(v).dot(normal) < 0.0 { -v } else { v };
-        Ok(CurvePlane { origin: normal * distance, axes: [u, v, normal] })
+        CurvePlane { origin: normal * distance, axes: [u, v, normal] }
     }
 
-    /// All curves in coordinates of the plane, with z = 0.
+    /// All curves in the coordinates of the plane, with z = 0.
     ///
     /// # Errors
-    /// [`Error::CurveNotPlane`] with a place among all points, and those of [`curves`].
-    pub(super) fn curves(&self, given: &Curves, values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Curve>> {
+    /// [`Error::CurveNotPlane`] with an index among all points, and the errors of [`curves`].
+    pub(super) fn curves(&self, given: &Curves, mode: Option<Mode>, job: &Job<'_>) -> Result<Vec<Curve>> {
         let largest = given.points.iter().flatten().fold(0.0f64, |largest, x| largest.max(x.abs()));
         let size = extent_of(&[Input::Curves(given)]).map_or(0.0, |extent| extent.diagonal());
         let slack = 1e-6 * size + 64.0 * f64::EPSILON * largest;
-        curves_of(given, values, job, |first, points| {
+        curves_of(given, mode, job, |first, points| {
             let mut flat = alloc::with_capacity(points.len())?;
             for (k, &point) in points.iter().enumerate() {
                 let [x, y, z] = self.axes.map(|axis| axis.dot(DVec3::from(point) - self.origin));

@@ -1,13 +1,12 @@
 use super::curve::{self, CATEGORY, INTERPOLATION, REFERENCE};
 use super::data::{Input, Output};
-use super::filter::Filter;
-use super::param::Values;
-use super::report::CURVE;
-use super::report::{Report, counted, push_line, push_more, short, short_point};
+use super::filter::{Body, Filter};
+use super::report::{CURVE, Report, counted, push_line, push_more, short, short_point};
 use super::signatures::{CURVES, TO_TEXT};
+use super::typed::{Values, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_curve::CurveView;
+use gusset_curve::{CurveView, Mode};
 
 /// The largest number of curves that the report lists.
 const MAX_LISTED: usize = 1000;
@@ -16,15 +15,18 @@ pub(super) const FILTER: Filter = Filter {
     id: "curve_measures",
     name: "Measure curves",
     category: CATEGORY,
-    help: "Measures curves: length, bounding box and enclosed area. The area of a curve that is not plane is that of its largest \
-           projection; an open curve is closed by its chord.",
+    help: "Measures curves: length, bounding box and enclosed area. A curve that is not plane has the area of its largest \
+           projection. An open curve is closed by its chord.",
     reference: REFERENCE,
-    params: &[INTERPOLATION],
-    ..Filter::new(CURVES, TO_TEXT, run)
+    ..Filter::new(CURVES, TO_TEXT, &Body(run))
 };
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let curves = curve::curves(inputs[0].curves()?, values, &job.part(0.0, 0.5))?;
+params! {
+    between: Option<Mode> = INTERPOLATION;
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let curves = curve::curves(inputs[0].curves()?, values.between, &job.part(0.0, 0.5))?;
     let (mut text, mut total) = (String::new(), 0.0);
     for (c, curve) in curves.iter().enumerate() {
         let part = job.part(0.5, 1.0).share(c, curves.len());

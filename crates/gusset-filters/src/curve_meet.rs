@@ -1,13 +1,13 @@
 use super::curve::{self, CATEGORY, INTERPOLATION};
 use super::data::{Curves, Input, Output};
-use super::filter::Filter;
-use super::param::{NON_NEGATIVE, Param, Values};
+use super::filter::{Body, Filter};
 use super::report::{counted, push_line};
 use super::signatures::{CURVES, TO_CURVES_TEXT};
+use super::typed::{NON_NEGATIVE, Param, Values, params};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_curve::Curve;
+use gusset_curve::{Curve, Mode};
 
 /// The largest number of intersections that the report lists.
 const MAX_LISTED: usize = 1000;
@@ -16,17 +16,20 @@ pub(super) const FILTER: Filter = Filter {
     id: "curve_meet",
     name: "Intersections of curves",
     category: CATEGORY,
-    help: "Finds where curves intersect, or pass each other within a distance: a curve of one point for each place, midway between \
-           the two. Self-intersections of curves in the plane z = 0 are found too.",
+    help: "Finds where curves intersect, or pass each other within a distance. Each place is a curve of one point, midway \
+           between the two curves. Self-intersections are found for curves in the plane z = 0.",
     reference: "Bezier clipping by convex hulls, and Newton's method",
-    params: &[
-        INTERPOLATION,
-        Param::length("within", "Distance", NON_NEGATIVE, &[0.0])
-            .with_help("The largest distance at which curves count as meeting; 0 for intersections up to rounding.")
-            .with_size_ratio(1e-6),
-    ],
-    ..Filter::new(CURVES, TO_CURVES_TEXT, run)
+    ..Filter::new(CURVES, TO_CURVES_TEXT, &Body(run))
 };
+
+params! {
+    between: Option<Mode> = INTERPOLATION;
+    within: f64 = Param::length(
+        "Distance",
+        "The largest distance at which curves count as meeting. 0 finds intersections up to rounding.",
+        NON_NEGATIVE, &[0.0],
+    ).with_size_ratio(1e-6);
+}
 
 /// The intersections found.
 struct Found {
@@ -36,19 +39,19 @@ struct Found {
     undecided: usize,
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let curves = curve::curves(inputs[0].curves()?, values, &job.part(0.0, 0.3))?;
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let curves = curve::curves(inputs[0].curves()?, values.between, &job.part(0.0, 0.3))?;
     let mut found = Found { places: Curves::none(), text: String::new(), overlaps: 0, undecided: 0 };
     let box_of = |curve: &Curve| match curve.view() {
         view if view.points().is_empty() => Ok(None),
         view => view.bounding_box(&job.part(0.3, 0.3)).map(Some),
     };
     let boxes = alloc::try_collect(curves.iter().map(box_of))?;
-    let (within, count) = (values.number("within"), curves.len());
+    let (within, count) = (values.within, curves.len());
     for i in 0..count {
         let job = job.part(0.3, 1.0).share(i, count);
         job.step(0.0, "intersections")?;
-        // Of curves in other planes than z = 0 there is no way to tell.
+        // Self-intersections are defined for curves in the plane z = 0 only.
         if curves[i].view().points().iter().all(|point| point.z == 0.0) {
             found.with_itself(i, &curves[i], &job.part(0.0, 0.5))?;
         }
@@ -64,7 +67,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let Found { places, mut text, overlaps, undecided } = found;
     push_line!(
         text,
-        "{}, {} in common or beside each other, {} undecided",
+        "{}, {} shared or within the distance, {} undecided",
         counted(places.closed.len(), ["place", "places"]),
         counted(overlaps, ["part", "parts"]),
         counted(undecided, ["pair of curves", "pairs of curves"])
@@ -99,7 +102,7 @@ impl Found {
         Ok(())
     }
 
-    /// A line of the report, as long as it is short.
+    /// Adds a line to the report, unless it is long already.
     fn note(&mut self, line: std::fmt::Arguments<'_>) {
         if self.places.closed.len() <= MAX_LISTED {
             push_line!(self.text, "{line}");

@@ -1,15 +1,15 @@
 use super::curve::{self, CATEGORY, INTERPOLATION, REFERENCE};
 use super::data::{Curves, Input, InputKind, Output};
-use super::filter::Filter;
-use super::param::Values;
+use super::filter::{Body, Filter};
 use super::report::{POINT, distances};
 use super::signatures::TO_CURVES_TEXT;
+use super::typed::{Values, params};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use gusset_curve::Curve;
 use gusset_curve::ops::nearest_of_any;
+use gusset_curve::{Curve, Mode};
 
 /// Points between two progress reports.
 const POINTS_PER_REPORT: usize = 1 << 16;
@@ -18,17 +18,20 @@ pub(super) const FILTER: Filter = Filter {
     id: "curve_nearest",
     name: "Nearest points on curves",
     category: CATEGORY,
-    help: "Finds for each point of the first input the nearest point on any curve of the second, draws the segments between them, \
-           and reports their lengths.",
+    help: "Finds the nearest point on any curve of the second input for each point of the first. It draws the segments between \
+           them and reports their lengths.",
     reference: REFERENCE,
-    params: &[INTERPOLATION],
-    ..Filter::new(&[InputKind::Curves; 2], TO_CURVES_TEXT, run)
+    ..Filter::new(&[InputKind::Curves; 2], TO_CURVES_TEXT, &Body(run))
 };
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+params! {
+    between: Option<Mode> = INTERPOLATION;
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let from = inputs[0].curves()?;
     from.each()?;
-    let curves = curve::curves(inputs[1].curves()?, values, &job.part(0.0, 0.2))?;
+    let curves = curve::curves(inputs[1].curves()?, values.between, &job.part(0.0, 0.2))?;
     let queries = alloc::collect(from.points.iter().map(|&point| DVec3::from(point)))?;
     let views = alloc::collect(curves.iter().map(Curve::view))?;
     let found = nearest_of_any(&views, &queries, &job.part(0.2, 0.9))?;

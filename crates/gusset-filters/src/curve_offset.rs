@@ -1,11 +1,12 @@
 use super::curve::{self, CATEGORY, CHORD_ERROR, CurvePlane, INTERPOLATION, PLANE};
 use super::data::{Curves, Input, Output};
-use super::filter::Filter;
-use super::param::{COORDINATES, Param, Values};
+use super::filter::{Body, Filter};
 use super::report::{counted, push_line};
 use super::signatures::{CURVES, TO_CURVES_TEXT};
+use super::typed::{COORDINATES, Param, Plane, Values, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
+use gusset_curve::Mode;
 use gusset_curve::ops::{OffsetOptions, Spacing};
 
 /// The largest number of segments of an offset.
@@ -15,39 +16,41 @@ pub(super) const FILTER: Filter = Filter {
     id: "curve_offset",
     name: "Offset curves",
     category: CATEGORY,
-    help: "Draws the offset curves of plane curves, to their left seen against the normal of the plane. Corners are joined by \
-           straight segments; where the distance exceeds the radius of curvature the offset intersects itself.",
+    help: "Draws the offset curves of plane curves, on their left as seen against the normal of the plane. Straight segments \
+           join the corners. An offset intersects itself where the distance exceeds the radius of curvature.",
     reference: "Hermite interpolation of the exact offset, halved until the deviation measured is small enough",
-    params: &[
-        INTERPOLATION,
-        PLANE,
-        Param::length("distance", "Distance", COORDINATES, &[0.1])
-            .with_help("The signed distance of the offset: to the left if positive, to the right if negative.")
-            .with_size_ratio(0.02),
-        CHORD_ERROR,
-    ],
-    suggest: Some(curve::suggest_plane),
-    ..Filter::new(CURVES, TO_CURVES_TEXT, run)
+    ..Filter::new(CURVES, TO_CURVES_TEXT, &Body(run))
 };
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let (given, flat) = (inputs[0].curves()?, CurvePlane::new(values)?);
-    let curves = flat.curves(given, values, &job.part(0.0, 0.3))?;
-    let tolerance = curve::chord(given, values);
+params! {
+    between: Option<Mode> = INTERPOLATION;
+    plane: Plane = PLANE;
+    distance: f64 = Param::length(
+        "Distance",
+        "The signed distance of the offset: to the left if positive, to the right if negative.",
+        COORDINATES, &[0.1],
+    ).with_size_ratio(0.02);
+    chord_error: f64 = CHORD_ERROR;
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let (given, flat) = (inputs[0].curves()?, CurvePlane::new(values.plane));
+    let curves = flat.curves(given, values.between, &job.part(0.0, 0.3))?;
+    let tolerance = curve::chord(given, values.chord_error);
     let options = OffsetOptions { degree: 3, tolerance: 0.5 * tolerance, max_segments: MAX_SEGMENTS };
     let (mut drawn, mut text) = (Curves::none(), String::new());
     for (c, curve) in curves.iter().enumerate() {
         let part = job.part(0.3, 1.0).share(c, curves.len());
         part.step(0.0, "offset")?;
         if curve.view().is_empty() {
-            push_line!(text, "curve {c}: left out, without extent");
+            push_line!(text, "curve {c}: left out, as it has no length");
             continue;
         }
-        let offset = curve.view().offset(values.number("distance"), &options, &part.part(0.0, 0.8))?;
+        let offset = curve.view().offset(values.distance, &options, &part.part(0.0, 0.8))?;
         let points = curve::sampled(&offset.curve.view(), Spacing::Chord(0.5 * tolerance), &part.part(0.8, 1.0))?;
         drawn.add(points.iter().map(|&point| flat.point(point)), offset.curve.view().is_closed())?;
-        let tight = if offset.tight { ", some bends are tighter than the distance" } else { "" };
-        let reached = if offset.reached { "" } else { ", which is more than asked for" };
+        let tight = if offset.tight { ", some radii of curvature are less than the distance" } else { "" };
+        let reached = if offset.reached { "" } else { ", more than the chord error allows" };
         push_line!(
             text,
             "curve {c}: {}, at most {:.1e} from the true offset{reached}{tight}",

@@ -1,49 +1,55 @@
 use super::curve::{self, CATEGORY, CHORD_ERROR, INTERPOLATION, REFERENCE};
 use super::data::{Curves, Input, Output, OutputKind};
-use super::filter::Filter;
-use super::param::{LENGTHS, Param, Values};
+use super::filter::{Body, Filter};
 use super::signatures::CURVES;
-use gusset_base::choice::Choice;
+use super::typed::{LENGTHS, Param, Values, params};
+use gusset_base::choices;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
+use gusset_curve::Mode;
 use gusset_curve::ops::Spacing;
 
 pub(super) const FILTER: Filter = Filter {
     id: "curve_resample",
     name: "Resample curves",
     category: CATEGORY,
-    help: "Resamples curves: a number of points at equal arc lengths, points at a given spacing, or as few points as keep the \
-           polyline within a distance of the curve.",
+    help: "Resamples curves: a given number of points, points at a given spacing, or the fewest points that keep the polyline \
+           within the chord error of the curve.",
     reference: REFERENCE,
     replaces: true,
-    params: &[
-        INTERPOLATION,
-        Param::choice("spacing", "Spacing", SPACINGS).with_help("The rule that places the new points."),
-        Param::int("number", "Number", [2.0, 1e6], &[100.0])
-            .with_help("The number of points of each curve, if given; both ends of an open curve are among them."),
-        Param::length("step", "Step", LENGTHS, &[0.1])
-            .with_help("The spacing of points along the curve, if given.")
-            .with_size_ratio(0.01),
-        CHORD_ERROR,
-    ],
-    ..Filter::new(CURVES, &[OutputKind::Curves], run)
+    ..Filter::new(CURVES, &[OutputKind::Curves], &Body(run))
 };
 
-const SPACINGS: &[Choice] = &[
-    Choice::new("Number", "A given number of points on each curve, at equal arc lengths."),
-    Choice::new("Step", "A given spacing along the curve."),
-    Choice::new("Chord error", "As many points as the chord error requires, where the curve bends."),
-];
+params! {
+    between: Option<Mode> = INTERPOLATION;
+    spacing: MakeSpacing = Param::choice("Spacing", "The rule that places the new points.", SPACINGS);
+    number: u32 = Param::int(
+        "Number",
+        "The number of points of each curve, if it is given. Both ends of an open curve count.",
+        [2.0, 1e6], &[100.0],
+    );
+    step: f64 = Param::length("Step", "The spacing of points along the curve, if it is given.", LENGTHS, &[0.1])
+        .with_size_ratio(0.01);
+    chord_error: f64 = CHORD_ERROR;
+}
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+/// The spacing of new points on the given polylines.
+type MakeSpacing = fn(&Params, &Curves) -> Spacing;
+
+choices! {
+    SPACINGS: MakeSpacing =
+        |values, _| Spacing::Count(values.number as usize) => "Number",
+            "A given number of points on each curve, at equal arc lengths.";
+        |values, _| Spacing::Step(values.step) => "Step", "A given spacing along the curve.";
+        |values, given| Spacing::Chord(curve::chord(given, values.chord_error)) => "Chord error",
+            "As few points as the chord error allows, more where the curve bends.";
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let given = inputs[0].curves()?;
-    let curves = curve::curves(given, values, &job.part(0.0, 0.5))?;
+    let curves = curve::curves(given, values.between, &job.part(0.0, 0.5))?;
     let mut drawn = Curves::none();
-    let spacing = match values.place("spacing") {
-        0 => Spacing::Count(values.number("number") as usize),
-        1 => Spacing::Step(values.number("step")),
-        _ => Spacing::Chord(curve::chord(given, values)),
-    };
+    let spacing = (values.spacing)(values, given);
     for (c, curve) in curves.iter().enumerate() {
         let part = job.part(0.5, 1.0).share(c, curves.len());
         drawn.add(curve::sampled(&curve.view(), spacing, &part)?.into_iter(), curve.view().is_closed())?;

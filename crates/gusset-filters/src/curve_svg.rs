@@ -1,38 +1,38 @@
-use super::curve::{CATEGORY, CurvePlane, INTERPOLATION, PLANE, REFERENCE, suggest_plane};
+use super::curve::{CATEGORY, CurvePlane, INTERPOLATION, PLANE, REFERENCE};
 use super::data::{Input, Output};
-use super::filter::Filter;
-use super::param::{Param, Values};
+use super::filter::{Body, Filter};
 use super::signatures::{CURVES, TO_TEXT};
+use super::typed::{Param, Plane, Values, params};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
-use gusset_curve::CurveView;
+use gusset_curve::{CurveView, Mode};
 
 pub(super) const FILTER: Filter = Filter {
     id: "curve_svg",
     name: "Curves as SVG paths",
     category: CATEGORY,
-    help: "Writes plane curves as the data of SVG paths, one line for each curve, with numbers that read back bit for bit. Smooth \
-           curves are written as Bezier curves.",
+    help: "Writes plane curves as the data of SVG paths, one line for each curve. Numbers keep every bit. Smooth curves become \
+           Bezier curves.",
     reference: REFERENCE,
-    params: &[
-        INTERPOLATION,
-        PLANE,
-        Param::flag("downwards", "y downwards").with_help("Negates the second coordinate, as y points down in SVG."),
-    ],
-    suggest: Some(suggest_plane),
-    ..Filter::new(CURVES, TO_TEXT, run)
+    ..Filter::new(CURVES, TO_TEXT, &Body(run))
 };
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let flat = CurvePlane::new(values)?;
-    let curves = flat.curves(inputs[0].curves()?, values, &job.part(0.0, 0.5))?;
+params! {
+    between: Option<Mode> = INTERPOLATION;
+    plane: Plane = PLANE;
+    downwards: bool = Param::flag("y downwards", "Negates the second coordinate, as y points down in SVG.");
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let flat = CurvePlane::new(values.plane);
+    let curves = flat.curves(inputs[0].curves()?, values.between, &job.part(0.0, 0.5))?;
     let mut text = String::new();
     for (c, curve) in curves.iter().enumerate() {
         let part = job.part(0.5, 1.0).share(c, curves.len());
         part.step(0.0, "writing a path")?;
-        let path = match values.is_set("downwards") {
+        let path = match values.downwards {
             true => turned_over(&curve.view(), &part)?,
             false => curve.view().svg_path(&part)?,
         };

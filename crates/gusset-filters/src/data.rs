@@ -58,7 +58,7 @@ impl<'a> Input<'a> {
 }
 
 impl InputKind {
-    /// The error of an input of this kind where the other one is needed.
+    /// The error of an input of this kind where the other kind is needed.
     pub(super) fn unfit(self, place: usize) -> Error {
         let why = match self {
             InputKind::Mesh => "curves are needed, not a mesh",
@@ -82,8 +82,8 @@ pub enum OutputKind {
 /// An output.
 #[derive(Debug, PartialEq)]
 pub enum Output {
-    /// A polygon mesh, and where its elements come from, if the filter knows that and was asked for
-    /// it.
+    /// A polygon mesh, and the origins of its elements if the filter has them and was asked for
+    /// them.
     Mesh(Mesh, Option<Box<Origins>>),
     /// Polylines.
     Curves(Curves),
@@ -97,7 +97,7 @@ pub enum Output {
 pub struct Curves {
     /// The points of all curves.
     pub points: Vec<[f64; 3]>,
-    /// Where each curve's points start; one entry more than there are curves.
+    /// The first point of each curve, and the number of all points at the end.
     pub offsets: Vec<u32>,
     /// Per curve.
     pub closed: Vec<bool>,
@@ -107,8 +107,8 @@ impl Curves {
     /// Checks that the offsets fit the points, and that each curve has a flag.
     ///
     /// # Errors
-    /// [`Error::BadOffsets`] with the first entry that does not fit; without offsets, and with
-    /// another number of flags than of curves, that is the entry after the last.
+    /// [`Error::BadOffsets`] with the first entry that does not fit. It is the entry after the last
+    /// if there are no offsets, or if the numbers of flags and curves differ.
     pub fn check(&self) -> Result<()> {
         Error::check_offsets(&self.offsets, self.points.len())?;
         if self.offsets.len() == self.closed.len() + 1 {
@@ -141,9 +141,9 @@ impl Curves {
     /// The points of each curve, and whether it is closed.
     ///
     /// # Errors
-    /// [`Error::BadOffsets`], [`Error::NotFinite`] with a place among all points.
+    /// [`Error::BadOffsets`], [`Error::NotFinite`] with an index among all points.
     pub(super) fn each(&self) -> Result<Vec<Polyline<'_>>> {
-        // Without offsets there are no curves either.
+        // Without offsets there are no curves.
         if self.offsets.is_empty() && self.points.is_empty() {
             return Ok(Vec::new());
         }
@@ -154,7 +154,22 @@ impl Curves {
     }
 }
 
-/// A mesh with the faces of another one, its vertices elsewhere.
+/// Checks that two meshes have the same faces, and as many vertices.
+///
+/// # Errors
+/// [`Error::InputUnfit`] for the second mesh, which is input `place`.
+pub(super) fn require_same_faces(a: &MeshView<'_>, b: &MeshView<'_>, place: u32) -> Result<()> {
+    let (faces, others) = (a.faces(), b.faces());
+    let same = a.positions().len() == b.positions().len()
+        && faces.len() == others.len()
+        && faces.half_edge_count() == others.half_edge_count()
+        && (0..faces.len()).all(|f| faces.range(f) == others.range(f))
+        && faces.corners(0..faces.half_edge_count()).eq(others.corners(0..faces.half_edge_count()));
+    let unfit = Error::InputUnfit { input: place, why: "a mesh with the same faces as the one before is needed" };
+    if same { Ok(()) } else { Err(unfit) }
+}
+
+/// A mesh with the faces of another mesh and its own positions.
 pub(super) fn with_positions(mesh: &MeshView<'_>, positions: PositionBuffer) -> Result<Mesh> {
     let faces = mesh.faces();
     let offsets = (0..faces.len() + 1).map(|f| if f == 0 { 0 } else { faces.range(f - 1).end as u32 });

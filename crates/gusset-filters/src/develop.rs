@@ -1,9 +1,9 @@
 use super::data::{Input, Output};
-use super::filter::Filter;
-use super::param::{Param, Values};
-use super::report::FACE;
-use super::report::{Report, counted, push_line};
+use super::filter::{Body, Filter};
+use super::moving::CATEGORY;
+use super::report::{FACE, Report, counted, push_line};
 use super::signatures::{MESH, TO_MESH_TEXT};
+use super::typed::{Param, Values, params};
 use gusset_attributes::Origins;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -12,29 +12,35 @@ use gusset_stitch::develop::{Cuts, Developed, Distortion, Finish, Options, devel
 pub(super) const FILTER: Filter = Filter {
     id: "develop",
     name: "Develop into the plane",
-    category: "Deformation",
-    help: "Lays a surface out in the plane: the pattern to cut it from. What is no disc is opened along short paths. A surface that can \
-           be unfolded keeps every length; any other one has the least distortion, without folds or overlaps. Darts lower it further.",
+    category: CATEGORY,
+    help: "Lays a surface out in the plane, as a pattern to cut it from. A surface that is not a disc is opened along short \
+           paths. A developable surface keeps every length. Any other surface gets the least distortion, without folds or \
+           overlaps. Darts reduce the distortion further.",
     reference: "Rabinovich, Poranne, Panozzo, Sorkine-Hornung 2017; Ben-Chen, Gotsman, Bunin 2008 for darts",
     has_origins: true,
-    params: &[
-        Param::choice("distortion", "Distortion", Distortion::CHOICES.texts)
-            .with_help("The kind of distortion that is least."),
-        Param::int("darts", "Darts", [0.0, 100.0], &[0.0])
-            .with_help("The largest number of cuts from the border to where the curvature is."),
-        Param::real("stretch", "Largest stretch", [1.0, 100.0], &[1.0])
-            .with_help("Darts are made until no length changes by a larger factor; 1: all of them."),
-    ],
-    ..Filter::new(MESH, TO_MESH_TEXT, run)
+    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
 };
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let stretch = values.number("stretch");
+params! {
+    distortion: Distortion = Param::choice("Distortion", "The kind of distortion to minimise.", Distortion::CHOICES);
+    darts: u32 = Param::int(
+        "Darts",
+        "The largest number of darts: cuts from the border to places of large curvature.",
+        [0.0, 100.0], &[0.0],
+    );
+    stretch: f64 = Param::real(
+        "Largest stretch",
+        "Darts are cut until no length changes by a larger factor; 1 cuts all of them.",
+        [1.0, 100.0], &[1.0],
+    );
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let options = Options {
-        distortion: values.choice("distortion", Distortion::CHOICES),
+        distortion: values.distortion,
         cuts: Cuts::default(),
-        max_darts: values.number("darts") as u32,
-        max_stretch: (stretch > 1.0).then_some(stretch),
+        max_darts: values.darts,
+        max_stretch: Some(values.stretch).filter(|&stretch| stretch > 1.0),
         max_iterations: 0,
     };
     let done = develop(inputs[0].mesh()?, &options, job)?;
@@ -52,7 +58,7 @@ fn report(done: &Developed) -> Report {
     let energy = all(|chart| chart.energy * chart.area) / area;
     let stretch = done.stretches.iter().fold([1.0f64; 2], |all, s| [all[0].max(s[0]), all[1].min(s[1])]);
     let mut text = format!(
-        "{} in {} charts, {exact} of them exact; {} edges cut, {} darts\n",
+        "{} in {} charts, {exact} of them without distortion; {} edges cut, {} darts\n",
         counted(done.stretches.len(), FACE),
         done.charts.len(),
         done.cut_edges.len(),
@@ -66,7 +72,7 @@ fn report(done: &Developed) -> Report {
         flat / area
     );
     if folds + overlaps > 0.0 {
-        push_line!(text, "{folds} triangles are turned over, {overlaps} pairs of edges overlap");
+        push_line!(text, "{folds} triangles are inverted, {overlaps} pairs of edges overlap");
     }
     let values = [
         ("charts", done.charts.len() as f64),

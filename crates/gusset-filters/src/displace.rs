@@ -1,8 +1,8 @@
 use super::data::{Input, Output};
-use super::filter::Filter;
-use super::param::{COORDINATES, Param, Values};
+use super::filter::{Body, Filter};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
 use super::signatures::{MESH, TO_MESH};
+use super::typed::{COORDINATES, Param, Values, params};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -12,26 +12,33 @@ pub(super) const FILTER: Filter = Filter {
     id: "displace",
     name: "Displace a quad grid along its normals",
     category: CATEGORY,
-    help: "Moves every vertex of a quad grid along the surface normal, at poles and across seams too; glued vertices stay glued.",
+    help: "Moves every vertex of a quad grid along the surface normal. Poles and seams stay closed.",
     reference: REFERENCE,
     replaces: true,
     has_origins: true,
-    params: &[
-        Param::length("distance", "Distance", COORDINATES, &[0.01])
-            .with_help(
-                "The displacement: outwards if positive, inwards if negative; a hundredth of the size is suggested.",
-            )
-            .with_size_ratio(0.01),
-        TRIANGLES,
-    ],
-    ..Filter::new(MESH, TO_MESH, run)
+    ..Filter::new(MESH, TO_MESH, &Body(run))
 };
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+params! {
+    distance: f64 = Param::length(
+        "Distance",
+        "The displacement, outwards if positive and inwards if negative. A hundredth of the size is suggested.",
+        COORDINATES, &[0.01],
+    ).with_size_ratio(0.01);
+    triangles: bool = TRIANGLES;
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let input = inputs[0].mesh()?;
     let mut grid = quads::grid(input, &job.part(0.0, 0.5))?;
-    displace(&mut grid.net, values.number("distance"), &job.part(0.5, 0.7))?;
+    displace(&mut grid.net, values.distance, &job.part(0.5, 0.7))?;
     let all = |count: usize| alloc::collect(0..count);
     let (rows, columns) = (all(grid.net.shape().rows())?, all(grid.net.shape().columns())?);
-    Ok(vec![quads::output(&grid.net, (input, &grid), [&rows, &columns], values, &job.part(0.7, 1.0))?])
+    Ok(vec![quads::output(
+        &grid.net,
+        (input, &grid),
+        [&rows, &columns],
+        (values, values.triangles),
+        &job.part(0.7, 1.0),
+    )?])
 }

@@ -1,11 +1,10 @@
-//! Size and place of inputs, from which defaults that depend on them are made.
+//! The box of the inputs, from which defaults are suggested.
 
 use super::data::{Curves, Input};
 use glam::DVec3;
 use gusset_base::geom::Aabb;
 
-/// The box round all finite points of some inputs; `None` if there are none, or if they are all
-/// one.
+/// The box around all finite points of some inputs; `None` if there are none, or if all coincide.
 pub(super) fn extent_of(inputs: &[Input<'_>]) -> Option<Aabb> {
     let mut extent = Aabb::EMPTY;
     let mut add = |point: DVec3| {
@@ -25,15 +24,15 @@ pub(super) fn extent_of(inputs: &[Input<'_>]) -> Option<Aabb> {
     Some(extent).filter(|extent| extent.diagonal() > 0.0)
 }
 
-/// A length of about two digits, so that dialogs show what can be read.
+/// A value rounded to two digits, which is readable in dialogs.
 pub(super) fn rounded(value: f64) -> f64 {
     let unit = libm::pow(10.0, libm::log10(value.abs()).floor() - 1.0);
     let round = (value / unit).round() * unit;
     if round.is_finite() { round } else { value }
 }
 
-/// The plane that curves lie in, or lie about: its unit normal, upwards where it can be, and its
-/// distance from the origin.
+/// The plane of curves, or a plane near them: its unit normal, upwards if possible, and its distance
+/// from the origin.
 pub(super) fn plane_of(curves: &Curves) -> Option<[f64; 4]> {
     let extent = extent_of(&[Input::Curves(curves)])?;
     let (centre, size) = (extent.centre(), extent.diagonal());

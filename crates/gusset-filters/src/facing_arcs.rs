@@ -1,9 +1,8 @@
 use super::data::{Curves, Input, Output};
-use super::filter::Filter;
-use super::param::{Param, Values};
-use super::report::POINT;
-use super::report::{counted, push_line};
+use super::filter::{Body, Filter};
+use super::report::{POINT, counted, push_line};
 use super::signatures::{CURVES, TO_CURVES_TEXT};
+use super::typed::{MAX_COUNT, NON_NEGATIVE_OR_AUTO, Param, TypedParam, Values, params};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -14,39 +13,47 @@ pub(super) const FILTER: Filter = Filter {
     id: "facing_arcs",
     name: "Facing arcs of two loops",
     category: "Boundary",
-    help: "Finds the points of two loops that face each other: those on the other loop's side of the plane through their own \
-           loop's centre. The arcs that stitching would join come first, then all others.",
+    help: "Finds the points of two loops that face each other. A point faces the other loop if it lies on that side of the \
+           plane through the centre of its own loop. The arcs that stitching would join come first, then the other arcs.",
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking, algorithm 2",
-    params: &[
-        Param::int("curve_a", "First loop", CURVE_NUMBERS, &[0.0]).with_help(CURVE_HELP),
-        Param::int("curve_b", "Second loop", CURVE_NUMBERS, &[1.0]).with_help(CURVE_HELP),
-        Param::choice("run", "Facing arc", Run::CHOICES.texts).with_help(RUN_HELP),
-        Param::choice("centres", "Centres", Centres::CHOICES.texts).with_help("The definition of a loop's centre."),
-        Param::real("tolerance", "Facing tolerance", [-1.0, 1e15], &[-1.0]).with_help(
-            "The smallest distance from the plane at which a point faces the other loop; -1 takes the bound on rounding.",
-        ),
-    ],
-    ..Filter::new(CURVES, TO_CURVES_TEXT, run)
+    ..Filter::new(CURVES, TO_CURVES_TEXT, &Body(run))
 };
 
-const CURVE_NUMBERS: [f64; 2] = [0.0, u32::MAX as f64];
-const CURVE_HELP: &str = "The number of the curve, from 0 on; the filter boundary_loops gives suitable curves.";
-pub(super) const RUN_HELP: &str = "The arc that is taken where several face the other loop.";
+params! {
+    curve_a: u32 = Param::int("First loop", CURVE_HELP, CURVE_NUMBERS, &[0.0]);
+    curve_b: u32 = Param::int("Second loop", CURVE_HELP, CURVE_NUMBERS, &[1.0]);
+    run: Run = RUN;
+    centres: Centres = Param::choice("Centres", "The definition of a loop's centre.", Centres::CHOICES);
+    tolerance: Option<f64> = FACING_TOLERANCE;
+}
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+const CURVE_NUMBERS: [f64; 2] = [0.0, MAX_COUNT];
+const CURVE_HELP: &str = "The number of the curve, from 0 on. The filter boundary_loops gives suitable curves.";
+
+/// The arc that is joined where several face the other loop.
+pub(super) const RUN: TypedParam<Run> =
+    Param::choice("Facing arc", "The arc that is taken if several arcs face the other loop.", Run::CHOICES);
+
+/// The distance from the plane through a loop's centre; `None` takes the bound on rounding.
+pub(super) const FACING_TOLERANCE: TypedParam<Option<f64>> = Param::real(
+    "Facing tolerance",
+    "The smallest distance from the plane through the centre of its own loop at which a point faces the other loop. -1 takes \
+     the bound on rounding.",
+    NON_NEGATIVE_OR_AUTO,
+    &[-1.0],
+)
+.unless_negative();
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     job.step(0.0, "facing arcs")?;
     let each = inputs[0].curves()?.each()?;
-    let points = |id: &'static str| {
-        let value = values.number(id);
-        let (points, _) = each.get(value as usize).ok_or(Error::OptionOutOfRange { option: id, value })?;
+    let points = |option: &'static str, number: u32| {
+        let missing = Error::OptionOutOfRange { option, value: number.into() };
+        let (points, _) = each.get(number as usize).ok_or(missing)?;
         alloc::collect(points.iter().map(|&point| DVec3::from(point)))
     };
-    let loops = [points("curve_a")?, points("curve_b")?];
-    let options = Options {
-        run: values.choice("run", Run::CHOICES),
-        tolerance: Some(values.number("tolerance")).filter(|&t| t >= 0.0),
-        centres: values.choice("centres", Centres::CHOICES),
-    };
+    let loops = [points("curve_a", values.curve_a)?, points("curve_b", values.curve_b)?];
+    let options = Options { run: values.run, tolerance: values.tolerance, centres: values.centres };
     let found = facing(&loops[0], &loops[1], &options, &job.part(0.1, 1.0))?;
     let (mut arcs, mut text) = (Curves::none(), String::new());
     let taken = (0..2).map(|side| (side, found.taken[side]));
@@ -54,7 +61,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let others = others.filter(|&(side, arc)| arc != found.taken[side]);
     for (side, arc) in taken.chain(others) {
         let own = &loops[side];
-        // All of a loop is a loop.
+        // An arc of all points is closed.
         arcs.add(arc.places(own.len()).map(|place| own[place]), arc.count == own.len())?;
         let [name, kind] = [["first", "second"][side], if arc == found.taken[side] { "taken" } else { "left" }];
         push_line!(

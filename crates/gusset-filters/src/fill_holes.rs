@@ -1,11 +1,9 @@
 use super::data::{Input, Output};
-use super::filter::Filter;
-use super::param::{NON_NEGATIVE, Param, Values};
-use super::report::{BOUNDARY_LOOP, FACE};
-use super::report::{Report, counted, short};
+use super::filter::{Body, Filter};
+use super::report::{BOUNDARY_LOOP, FACE, Report, counted, short};
 use super::signatures::{MESH, TO_MESH_TEXT};
+use super::typed::{MAX_COUNT, NON_NEGATIVE, Param, TypedParam, Values, params};
 use gusset_attributes::{KeepSplits, Origins};
-use gusset_base::choice::Choice;
 use gusset_base::choices;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -13,6 +11,45 @@ use gusset_mesh::MeshView;
 use gusset_stitch::fill::{
     Continuity, Fairing, Filled, HoleStatus, Keep, Limits, Options, Refinement, Selection, Together, Weight, fill_holes,
 };
+
+params! {
+    inside: (Refinement, Fairing) = Param::choice("Inside the holes", "The interior of the patches.", INTERIORS);
+    weight: Weight = Param::choice(
+        "Best triangulation",
+        "The weight that the triangulation of a rim minimises.",
+        Weight::CHOICES,
+    );
+    max_edges: Option<u32> = Param::int(
+        "Most edges",
+        "Loops of more edges stay open; 0 sets no limit.",
+        [0.0, MAX_COUNT], &[0.0],
+    ).if_positive();
+    max_length: Option<f64> =
+        Param::length("Greatest length", "Longer loops stay open; 0 sets no limit.", NON_NEGATIVE, &[0.0]).if_positive();
+    keep: Keep = Param::choice("Keep open", "The loops that are not holes.", Keep::CHOICES);
+    together: Together = Param::choice("Patches", "The loops that share a patch.", Together::CHOICES);
+    max_diameter: Option<f64> = Param::length(
+        "Greatest diameter",
+        "Loops whose bounding box has a longer diagonal stay open; 0 sets no limit.",
+        NON_NEGATIVE, &[0.0],
+    ).if_positive();
+    max_area: Option<f64> = Param::real(
+        "Greatest area",
+        "Loops with a larger area between them and their centre stay open; 0 sets no limit. The unit is the square of the \
+         positions' unit.",
+        NON_NEGATIVE, &[0.0],
+    ).if_positive();
+    intersections: Intersections =
+        Param::choice("Intersections", "The search for faces of patches that intersect others.", CUTS);
+    plan_only: bool = Param::flag("Plan only", "Fills nothing. The report says what would be filled.");
+    continuity: Continuity = Param::choice(
+        "Continuity",
+        "The continuity between fair patches and the surface around them.",
+        Continuity::CHOICES,
+    );
+    ignore_creases: bool = Param::flag("Ignore creases", "Ends creases of the surface at the rims of patches.");
+    outward: bool = OUTWARD;
+}
 use gusset_stitch::repair::orient::Outward;
 use gusset_stitch::stitch::Intersections;
 
@@ -20,70 +57,56 @@ pub(super) const FILTER: Filter = Filter {
     id: "fill_holes",
     name: "Fill holes",
     category: "Boundary",
-    help: "Closes boundary loops of a mesh by new triangles: the triangulation of least weight, refined to the density of the \
-           surrounding mesh and faired. Vertices stay where they are and no face is lost.",
-    reference: "P. Liepa, Filling holes in meshes (2003); G. Barequet, M. Sharir, Filling gaps in the boundary of a polyhedron (1995)",
+    help: "Closes boundary loops of a mesh by new triangles: the triangulation of least weight, on request refined to the \
+           density of the surrounding mesh and faired. All vertices keep their positions, and all faces stay.",
+    reference: "P. Liepa, Filling holes in meshes (2003); G. Barequet, M. Sharir, Filling gaps in the boundary of a polyhedron \
+                (1995)",
     replaces: true,
     has_origins: true,
-    params: &[
-        Param::choice("inside", "Inside the holes", INTERIORS).with_help("The interior of the patches."),
-        Param::choice("weight", "Best triangulation", Weight::CHOICES.texts)
-            .with_help("The weight that the triangulation of a rim minimises."),
-        Param::int("max_edges", "Most edges", [0.0, u32::MAX as f64], &[0.0])
-            .with_help("Loops of more edges are left open; 0 sets no limit."),
-        Param::length("max_length", "Greatest length", NON_NEGATIVE, &[0.0])
-            .with_help("Longer loops are left open; 0 sets no limit."),
-        Param::choice("keep", "Keep open", Keep::CHOICES.texts).with_help("The loops that are no holes."),
-        Param::choice("together", "Patches", Together::CHOICES.texts).with_help("The loops that get one patch."),
-        Param::length("max_diameter", "Greatest diameter", NON_NEGATIVE, &[0.0])
-            .with_help("Loops in a box along the axes with a longer diagonal are left open; 0 sets no limit."),
-        Param::real("max_area", "Greatest area", NON_NEGATIVE, &[0.0])
-            .with_help("Loops with a larger area between them and their centre, in the square of the unit, are left open; 0 sets no limit."),
-        Param::choice("intersections", "Intersections", CUTS.texts).with_help("The search for faces of patches that cut."),
-        Param::flag("plan_only", "Plan only").with_help("Nothing is filled: the report says what would be."),
-        Param::choice("continuity", "Continuity", Continuity::CHOICES.texts).with_help("How fair patches go on the surface round them."),
-        Param::flag("ignore_creases", "Ignore creases").with_help("No patch goes on with creases of the surface round it."),
-        Param::flag("outward", "Turn outwards").with_help(OUTWARD_HELP),
-    ],
-    ..Filter::new(MESH, TO_MESH_TEXT, run)
+    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
 };
 
-pub(super) const OUTWARD_HELP: &str = "Reverses the faces of closed components of the result that are inside out, each by its own volume, also inside \
-     others.";
+/// Turns closed components of a result outwards.
+pub(super) const OUTWARD: TypedParam<bool> = Param::flag(
+    "Turn outwards",
+    "Reverses the faces of closed components that are inside out. Each component is judged by its own volume, even inside \
+     another one.",
+);
 
-const INTERIORS: &[Choice] = &[
-    Choice::new("Rim only", "Triangles between the vertices of the rim."),
-    Choice::new("Refined", "New vertices, as dense as those round the hole."),
-    Choice::new("Refined and fair", "New vertices, placed so that the patch continues the surface smoothly."),
-];
+choices! {
+    INTERIORS: (Refinement, Fairing) =
+        (Refinement::None, Fairing::None) => "Rim only", "Triangles between the vertices of the rim.";
+        (Refinement::RimDensity(0), Fairing::None) => "Refined", "New vertices, as dense as those around the hole.";
+        (Refinement::RimDensity(0), Fairing::ThinPlate) => "Refined and fair",
+            "New vertices, so that the patch continues the surface smoothly.";
+}
 
 choices! {
     CUTS: Intersections =
-        Intersections::Auto => "Automatic", "They are looked for, and avoided by less fairing, other weights and no new vertices.";
+        Intersections::Auto => "Automatic", "They are found, and avoided by less fairing, other weights, or no new vertices.";
         Intersections::Ignore => "Ignore", "No search.";
-        Intersections::Report => "Report", "They are looked for, and nothing is done about them.";
+        Intersections::Report => "Report", "They are found and counted, but not avoided.";
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let limit = |id| Some(values.number(id)).filter(|&limit| limit > 0.0);
-    let inside = values.place("inside");
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let (refinement, fairing) = values.inside;
     let options = Options {
-        weight: values.choice("weight", Weight::CHOICES),
-        refinement: if inside > 0 { Refinement::RimDensity(0) } else { Refinement::None },
-        fairing: if inside > 1 { Fairing::ThinPlate } else { Fairing::None },
-        continuity: values.choice("continuity", Continuity::CHOICES),
-        ignore_creases: values.is_set("ignore_creases"),
+        weight: values.weight,
+        refinement,
+        fairing,
+        continuity: values.continuity,
+        ignore_creases: values.ignore_creases,
         limits: Limits {
-            edges: limit("max_edges").map(|limit| limit as u32),
-            length: limit("max_length"),
-            diameter: limit("max_diameter"),
-            area: limit("max_area"),
+            edges: values.max_edges,
+            length: values.max_length,
+            diameter: values.max_diameter,
+            area: values.max_area,
         },
-        keep: values.choice("keep", Keep::CHOICES),
-        together: values.choice("together", Together::CHOICES),
-        intersections: values.choice("intersections", CUTS),
-        plan_only: values.is_set("plan_only"),
-        outward: if values.is_set("outward") { Outward::Closed } else { Outward::Keep },
+        keep: values.keep,
+        together: values.together,
+        intersections: values.intersections,
+        plan_only: values.plan_only,
+        outward: if values.outward { Outward::Closed } else { Outward::Keep },
     };
     let old = inputs[0].mesh()?;
     let mut done = fill_holes(old, Selection::All, &options, job)?;
@@ -93,11 +116,11 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
-/// The line of a report on faces that were turned outwards, if there are any.
-pub(super) fn turned_outwards(faces: &[u32]) -> String {
+/// The line of a report on faces that were turned outwards; empty if there are none.
+pub(super) fn turned_outwards_line(faces: &[u32]) -> String {
     match faces.len() {
         0 => String::new(),
-        n => format!("{} turned over, to face outwards\n", counted(n, FACE)),
+        n => format!("{} reversed, to face outwards\n", counted(n, FACE)),
     }
 }
 
@@ -114,9 +137,9 @@ fn report(old: &MeshView<'_>, done: &Filled, plan_only: bool) -> Report {
         0 => String::new(),
         _ => format!("area {}, smallest angle {angle:.2} degrees\n", short(area)),
     };
-    let turned = turned_outwards(&done.turned_outwards);
+    let turned = turned_outwards_line(&done.turned_outwards);
     let verb = if plan_only { "would fill" } else { "filled" };
-    let cuts = cuts(done.intersections.as_deref());
+    let cuts = intersections_line(done.intersections.as_deref());
     let text = format!(
         "{verb} {count} of {}{joined} by {} and {}\n{measures}{cuts}{turned}{} left\n",
         counted(done.holes.len(), BOUNDARY_LOOP),
@@ -141,11 +164,11 @@ fn report(old: &MeshView<'_>, done: &Filled, plan_only: bool) -> Report {
     Report::new(text, &values)
 }
 
-/// The line of a report on faces that cut each other, if they were looked for.
-pub(super) fn cuts(pairs: Option<&[[u32; 2]]>) -> String {
+/// The line of a report on faces that intersect each other; empty without a search.
+pub(super) fn intersections_line(pairs: Option<&[[u32; 2]]>) -> String {
     match pairs {
         None => String::new(),
-        Some([]) => "no faces cut each other\n".to_owned(),
-        Some(pairs) => format!("{} cut each other\n", counted(pairs.len(), ["pair of faces", "pairs of faces"])),
+        Some([]) => "no faces intersect\n".to_owned(),
+        Some(pairs) => format!("{}\n", counted(pairs.len(), ["pair of faces intersects", "pairs of faces intersect"])),
     }
 }

@@ -1,8 +1,9 @@
 //! A filter: a named capability with typed inputs, outputs and parameters.
 
 use super::data::{Input, InputKind, Output, OutputKind};
-use super::extent::{extent_of, rounded};
-use super::param::{Param, Values, range_of};
+use super::extent::extent_of;
+use super::param::Param;
+use super::typed::{Parameters, Values};
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 
@@ -19,7 +20,7 @@ pub struct Filter {
     pub help: &'static str,
     /// The source of the method.
     pub reference: &'static str,
-    /// The kind of each input; the last kind repeats. None for filters without inputs.
+    /// The kind of each input; the last kind repeats. Empty for filters without inputs.
     pub inputs: &'static [InputKind],
     /// The smallest number of inputs.
     pub min_inputs: usize,
@@ -30,40 +31,39 @@ pub struct Filter {
     /// The first output is the first input repaired, moved or remeshed: an editor replaces it.
     /// Otherwise outputs are added beside the inputs.
     pub replaces: bool,
-    /// The vertices, corners and faces of the first output, a mesh, come from those of the inputs as
-    /// [`Filter::run_traced`] tells.
+    /// The first output is a mesh made of elements of the inputs. [`Filter::run_traced`] gives the
+    /// origins of its vertices, corners and faces.
     pub has_origins: bool,
     /// The parameters, in the order of their values.
     pub params: &'static [Param],
-    /// Defaults that depend on the inputs, beyond those of [`Param::size_ratio`].
-    pub(super) suggest: Option<Suggest>,
-    pub(super) run: Run,
+    pub(super) body: &'static dyn Run,
 }
+
+/// A function of the inputs of a filter and of the values of its parameters.
+type Function<P> = fn(&[Input<'_>], &Values<P>, &Job<'_>) -> Result<Vec<Output>>;
 
 /// The body of a filter.
-pub(super) type Run = fn(&[Input<'_>], &Values<'_>, &Job<'_>) -> Result<Vec<Output>>;
+pub(super) struct Body<P>(pub(super) Function<P>);
 
-/// Overwrites defaults by values that suit the inputs.
-pub(super) type Suggest = fn(&[Input<'_>], &mut Defaults<'_>);
-
-/// The defaults of a filter, by parameter.
-pub(super) struct Defaults<'a> {
-    params: &'static [Param],
-    values: &'a mut [f64],
+/// A body without the type of its parameters.
+pub(super) trait Run: Sync {
+    /// Runs the body with the components of all values, which are in range.
+    fn run(&self, inputs: &[Input<'_>], components: &[f64], traced: bool, job: &Job<'_>) -> Result<Vec<Output>>;
 }
 
-impl Defaults<'_> {
-    /// Overwrites the default of parameter `id`.
-    pub(super) fn set(&mut self, id: &str, values: &[f64]) {
-        if let Some(range) = range_of(self.params, id) {
-            self.values[range].copy_from_slice(values);
-        }
+impl<P: Parameters> Run for Body<P> {
+    fn run(&self, inputs: &[Input<'_>], components: &[f64], traced: bool, job: &Job<'_>) -> Result<Vec<Output>> {
+        (self.0)(inputs, &Values::new(components, traced), job)
     }
 }
 
 impl Filter {
-    /// A filter without texts and parameters, which takes each of its inputs.
-    pub(super) const fn new(inputs: &'static [InputKind], outputs: &'static [OutputKind], run: Run) -> Self {
+    /// A filter without texts, which takes each of its inputs.
+    pub(super) const fn new<P: Parameters>(
+        inputs: &'static [InputKind],
+        outputs: &'static [OutputKind],
+        body: &'static Body<P>,
+    ) -> Self {
         Filter {
             id: "",
             name: "",
@@ -76,9 +76,8 @@ impl Filter {
             outputs,
             replaces: false,
             has_origins: false,
-            params: &[],
-            suggest: None,
-            run,
+            params: P::PARAMS,
+            body,
         }
     }
 
@@ -89,7 +88,7 @@ impl Filter {
 
     /// True if defaults depend on the inputs.
     pub fn has_suggestions(&self) -> bool {
-        self.suggest.is_some() || self.params.iter().any(|param| param.size_ratio > 0.0)
+        self.params.iter().any(|param| param.suggestion.is_some())
     }
 
     /// The defaults of the parameters without regard to inputs.
@@ -104,22 +103,19 @@ impl Filter {
         if !self.has_suggestions() {
             return values;
         }
-        let plain = values.clone();
-        let mut defaults = Defaults { params: self.params, values: &mut values };
         if let Some(extent) = extent_of(inputs) {
-            for param in self.params.iter().filter(|param| param.size_ratio > 0.0) {
-                defaults.set(param.id, &[rounded(param.size_ratio * extent.diagonal())]);
-            }
-        }
-        if let Some(suggest) = self.suggest {
-            suggest(inputs, &mut defaults);
-        }
-        // Meshes may be of any size, even beyond all ranges.
-        let params = self.params.iter().flat_map(|param| (0..param.kind.arity()).map(move |_| param));
-        for ((value, plain), param) in values.iter_mut().zip(plain).zip(params) {
-            *value = if value.is_nan() { plain } else { value.clamp(param.min, param.max) };
+            self.components_mut(&mut values).for_each(|(param, own)| param.suggest(inputs, &extent, own));
         }
         values
+    }
+
+    /// Each parameter with its part of the components of all parameters.
+    fn components_mut<'a>(&self, mut rest: &'a mut [f64]) -> impl Iterator<Item = (&'static Param, &'a mut [f64])> {
+        self.params.iter().map(move |param| {
+            let (own, next) = std::mem::take(&mut rest).split_at_mut(param.kind.arity());
+            rest = next;
+            (param, own)
+        })
     }
 
     /// The number of values of all parameters.
@@ -167,8 +163,7 @@ impl Filter {
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] for a value outside its parameter's range, and for more values
-    /// than parameters; [`Error::InputCount`], [`Error::InputUnfit`]; those of the capability
-    /// itself.
+    /// than the filter has; [`Error::InputCount`], [`Error::InputUnfit`]; the errors of the body.
     pub fn run(&self, inputs: &[Input<'_>], values: &[f64], job: &Job<'_>) -> Result<Vec<Output>> {
         self.answer(inputs, values, false, job)
     }
@@ -177,7 +172,7 @@ impl Filter {
     /// it [`has_origins`](Filter::has_origins).
     ///
     /// # Errors
-    /// Those of [`Filter::run`].
+    /// The errors of [`Filter::run`].
     pub fn run_traced(&self, inputs: &[Input<'_>], values: &[f64], job: &Job<'_>) -> Result<Vec<Output>> {
         self.answer(inputs, values, true, job)
     }
@@ -187,6 +182,7 @@ impl Filter {
         self.check_value_count(values.len())?;
         let mut all = if values.len() < self.value_count() { self.defaults(inputs) } else { values.to_vec() };
         all[..values.len()].copy_from_slice(values);
-        (self.run)(inputs, &Values::check(self.params, &all)?.traced(traced), job)
+        self.components_mut(&mut all).try_for_each(|(param, own)| param.check(own))?;
+        self.body.run(inputs, &all, traced, job)
     }
 }

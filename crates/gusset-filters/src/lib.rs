@@ -1,8 +1,9 @@
 //! The table of filters: every capability of the library that makes sense in a mesh editor, under a
 //! stable id, with typed parameters. Plugin hosts list it, and `docs/filters.md` is made from it.
 //!
-//! * [`filter`]: the type of an entry. [`param`]: parameters and the validation of values.
-//!   [`data`]: inputs and outputs. [`report`]: texts and the numbers in them.
+//! * [`filter`]: the type of an entry. [`param`]: parameters as hosts see them. `typed`: parameters
+//!   as filters declare and read them. [`data`]: inputs and outputs. [`report`]: texts and the
+//!   numbers in them.
 //! * [`FILTERS`]: the table; each entry has a file of its name.
 //!
 //! Values are numbers, one for each component of each parameter, in the order of the table; missing
@@ -10,6 +11,7 @@
 
 pub mod data;
 pub mod param;
+mod typed;
 
 mod align;
 mod assemble;
@@ -30,6 +32,7 @@ mod facing_arcs;
 mod fill_holes;
 pub mod filter;
 mod loft;
+mod moving;
 mod net_analyse;
 mod net_decimate;
 mod net_join;

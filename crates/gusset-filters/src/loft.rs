@@ -1,16 +1,15 @@
 use super::curve::REFERENCE;
 use super::data::{Input, Output};
-use super::extent::extent_of;
-use super::filter::{Defaults, Filter};
-use super::param::{COORDINATES, Param, ParamKind, Values};
+use super::filter::{Body, Filter};
 use super::report::{Report, counted};
 use super::signatures::{CURVES, TO_MESH_TEXT};
-use super::smooth::{self, CATEGORY, FINENESS};
+use super::smooth::{self, CATEGORY, DEVIATION, PARTS, TRIANGLES};
+use super::typed::{Param, Values, params};
 use glam::DVec3;
-use gusset_base::alloc;
-use gusset_base::choice::Choice;
 use gusset_base::error::{Error, Result};
+use gusset_base::geom::Aabb;
 use gusset_base::job::Job;
+use gusset_base::{alloc, choices};
 use gusset_curve::frame::{Axis, Correspondence, Frame, FrameOptions, frame};
 use gusset_curve::{Outlines, Points};
 use gusset_surface::construct::FrameSurface;
@@ -20,89 +19,87 @@ pub(super) const FILTER: Filter = Filter {
     id: "loft",
     name: "Loft through sections",
     category: CATEGORY,
-    help: "Draws a smooth surface through consecutive sections of a body, all closed or all open: nodes are placed on the sections, \
-           curves are drawn along the body, and the surface through both is returned as a mesh.",
+    help: "Draws a smooth surface through consecutive sections of a body, all closed or all open. Nodes are placed on the \
+           sections, curves are drawn along the body, and a surface through both is returned as a mesh.",
     reference: REFERENCE,
-    params: &[
-        Param::choice("nodes", "Nodes", CORRESPONDENCES)
-            .with_help("The rule by which points of the sections correspond."),
-        Param::int("columns", "Columns", [2.0, 100_000.0], &[32.0])
-            .with_help("The number of nodes on each section; ignored if the nodes are the given points."),
-        Param::choice("through", "Through", FrameSurface::CHOICES.texts)
-            .with_help("The elements that the surface contains."),
-        Param::flag("ring", "Ring").with_help("The last section is followed by the first."),
-        Param::new(ParamKind::Point, "point", "Point of the axis", COORDINATES, &[0.0; 3])
-            .with_help("A point on the axis of the angles; the centre of the sections is suggested."),
-        Param::direction("direction", "Direction of the axis")
-            .with_help("The direction of the axis of the angles; from the first section to the last is suggested."),
-        FINENESS[0],
-        FINENESS[1],
-        FINENESS[2],
-    ],
-    suggest: Some(suggest),
-    ..Filter::new(CURVES, TO_MESH_TEXT, run)
+    ..Filter::new(CURVES, TO_MESH_TEXT, &Body(run))
 };
 
-const CORRESPONDENCES: &[Choice] = &[
-    Choice::new(
-        "By arc length",
-        "Points at equal fractions of the length; closed sections start where they are turned least.",
-    ),
-    Choice::new("By number", "The given points, of which all sections have equally many."),
-    Choice::new("By angle", "Points at equal angles round an axis."),
-];
+params! {
+    nodes: MakeCorrespondence =
+        Param::choice("Nodes", "The rule by which points of the sections correspond.", CORRESPONDENCES);
+    columns: u32 = Param::int(
+        "Columns",
+        "The number of nodes on each section. Ignored if the nodes are the given points.",
+        [2.0, 100_000.0], &[32.0],
+    );
+    through: FrameSurface = Param::choice("Through", "The elements that the surface contains.", FrameSurface::CHOICES);
+    ring: bool = Param::flag("Ring", "The first section follows the last one.");
+    point: DVec3 = Param::point(
+        "Point of the axis",
+        "A point on the axis of the angles. The centre of the sections is suggested.",
+        &[0.0; 3],
+    ).suggested(|_, extent| Some(extent.centre()));
+    direction: DVec3 = Param::direction(
+        "Direction of the axis",
+        "The direction of the axis of the angles. The direction from the first section to the last is suggested.",
+    ).suggested(from_first_to_last);
+    deviation: f64 = DEVIATION;
+    parts: u32 = PARTS;
+    triangles: bool = TRIANGLES;
+}
 
-fn suggest(inputs: &[Input<'_>], defaults: &mut Defaults<'_>) {
-    let (Some(extent), Some(Input::Curves(curves))) = (extent_of(inputs), inputs.first()) else { return };
-    defaults.set("point", &extent.centre().to_array());
+/// The correspondence of the points of sections.
+type MakeCorrespondence = fn(&Params) -> Correspondence<'static>;
+
+choices! {
+    CORRESPONDENCES: MakeCorrespondence =
+        |values| Correspondence::ArcLength { columns: values.columns as usize } => "By arc length",
+            "Points at equal fractions of the length. Closed sections start where they twist least.";
+        |_| Correspondence::Given => "By number", "The given points, equally many on each section.";
+        |values| Correspondence::Angle {
+            columns: values.columns as usize,
+            axis: Axis::Line { point: values.point, direction: values.direction },
+            reference: values.direction.any_orthonormal_vector(),
+        } => "By angle", "Points at equal angles about an axis.";
+}
+
+/// The direction from the mean point of the first section to the mean point of the last.
+fn from_first_to_last(inputs: &[Input<'_>], extent: &Aabb) -> Option<DVec3> {
+    let Some(Input::Curves(curves)) = inputs.first() else { return None };
     let middle = |ends: &[u32]| -> Option<DVec3> {
         let points = curves.points.get(ends[0] as usize..ends[1] as usize)?;
         let sum: DVec3 = points.iter().map(|&point| DVec3::from(point) / extent.diagonal()).sum();
         Some(sum / points.len() as f64).filter(|middle| middle.is_finite())
     };
     let mut sections = curves.offsets.windows(2);
-    if let (Some(first), Some(last)) = (sections.next().and_then(middle), sections.next_back().and_then(middle))
-        && let Some(direction) = (last - first).try_normalize()
-    {
-        defaults.set("direction", &direction.to_array());
-    }
+    let (first, last) = (sections.next().and_then(middle)?, sections.next_back().and_then(middle)?);
+    (last - first).try_normalize()
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let given = inputs[0].curves()?;
     let sections = given.each()?;
     let closed = sections.first().is_some_and(|section| section.1);
     if sections.iter().any(|section| section.1 != closed) {
         return Err(Error::InputUnfit { input: 0, why: "all curves must be closed, or all open" });
     }
-    let columns = values.number("columns") as usize;
-    let direction = values.direction("direction")?;
-    let correspondence = match values.place("nodes") {
-        0 => Correspondence::ArcLength { columns },
-        1 => Correspondence::Given,
-        _ => Correspondence::Angle {
-            columns,
-            axis: Axis::Line { point: values.vector("point"), direction },
-            reference: direction.any_orthonormal_vector(),
-        },
-    };
-    let ring = values.is_set("ring");
     let offsets = alloc::copied(&given.offsets)?;
     let outlines =
         Outlines { points: Points::from(&given.points[..]), offsets: Some(&offsets), closed, constraints: &[] };
-    let too_few = Error::InputUnfit { input: 0, why: "two curves are needed at least, three for a ring" };
+    let too_few = Error::InputUnfit { input: 0, why: "at least two curves are needed, or three for a ring" };
     if sections.is_empty() {
         return Err(too_few);
     }
-    let options = FrameOptions { ring, ..FrameOptions::new(correspondence) };
+    let options = FrameOptions { ring: values.ring, ..FrameOptions::new((values.nodes)(values)) };
     let made = frame(&outlines, &options, &job.part(0.0, 0.4)).map_err(|error| match error {
         Error::OptionOutOfRange { option: "sections", .. } => too_few,
         error => error,
     })?;
-    let kind = values.choice("through", FrameSurface::CHOICES);
-    let sheet = Sheet::from_frame(&made, [ring, closed], kind, &job.part(0.4, 0.6))?;
+    let sheet = Sheet::from_frame(&made, [values.ring, closed], values.through, &job.part(0.4, 0.6))?;
     let surface = Surface::new(vec![sheet], None, &job.part(0.6, 0.7))?;
-    let (mesh, meshed) = smooth::meshed(&surface, values, &job.part(0.7, 1.0))?;
+    let (mesh, meshed) =
+        smooth::meshed(&surface, (values.deviation, values.parts, values.triangles), &job.part(0.7, 1.0))?;
     let text = format!("{meshed}{}", report(&made));
     Ok(vec![Output::Mesh(mesh, None), Output::Text(Report::new(text, meshed.values()))])
 }
@@ -112,7 +109,7 @@ const NODE: [&str; 2] = ["node", "nodes"];
 fn report(made: &Frame) -> String {
     let turned = made.grid.turned.iter().filter(|&&turned| turned != 0).count();
     format!(
-        "{} of {}, {turned} of them taken backwards, {} ambiguous; twist at most {:.1} degrees\n",
+        "{} of {}, {turned} of them reversed, {} ambiguous; twist at most {:.1} degrees\n",
         counted(made.grid.rows, ["section", "sections"]),
         counted(made.grid.columns, NODE),
         counted(made.grid.ambiguous.len(), NODE),

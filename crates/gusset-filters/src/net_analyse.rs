@@ -1,11 +1,10 @@
-use super::data::{Curves, Input, Output};
-use super::filter::Filter;
-use super::param::{NON_NEGATIVE, Param, Values};
+use super::data::{Curves, Input, Output, require_same_faces};
+use super::filter::{Body, Filter};
 use super::quads::CATEGORY;
-use super::report::{EDGE, FACE};
-use super::report::{counted, short};
+use super::report::{EDGE, FACE, counted, short};
 use super::signatures::{TO_CURVES_TEXT, TWO_MESHES};
-use gusset_base::error::{Error, Result};
+use super::typed::{LISTED, NON_NEGATIVE, Param, Values, params};
+use gusset_base::error::Result;
 use gusset_base::geom::aabb;
 use gusset_base::job::Job;
 use gusset_mesh::MeshView;
@@ -17,24 +16,27 @@ pub(super) const FILTER: Filter = Filter {
     id: "net_analyse",
     name: "Analyse a deformation of a quad grid",
     category: CATEGORY,
-    help: "Compares a quad grid before a deformation with the same mesh after it: edges that were contracted or torn, returned as \
-           segments of the original grid, and quads that were folded over. Without any the deformation is soft.",
+    help: "Compares a quad grid before a deformation with the same mesh after it. It returns the edges that were contracted or \
+           torn, as segments of the original grid, and lists the quads that were folded. A deformation without any of these is \
+           soft.",
     reference: "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, soft and hard deformations",
-    params: &[
-        Param::length("tolerance", "Tolerance", NON_NEGATIVE, &[0.0])
-            .with_help("The largest length that counts as 0; a billionth of the size is suggested.")
-            .with_size_ratio(1e-9),
-        Param::int("listed", "Faces listed", [0.0, 1e6], &[20.0])
-            .with_help("The largest number of folded faces that are listed."),
-    ],
-    ..Filter::new(TWO_MESHES, TO_CURVES_TEXT, run)
+    ..Filter::new(TWO_MESHES, TO_CURVES_TEXT, &Body(run))
 };
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+params! {
+    tolerance: f64 = Param::length(
+        "Tolerance",
+        "The largest length that counts as 0. A billionth of the size is suggested.",
+        NON_NEGATIVE, &[0.0],
+    ).with_size_ratio(1e-9);
+    listed: u32 = Param::int("Faces listed", "The largest number of folded faces that are listed.", LISTED, &[20.0]);
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let (before, after) = (inputs[0].mesh()?, inputs[1].mesh()?);
     let grid = net_of_grid(before, None, &job.part(0.0, 0.4))?;
     let moved = moved(&grid, before, after, &job.part(0.4, 0.5))?;
-    let found = analyse(&grid.net, &moved, values.number("tolerance"), &job.part(0.5, 1.0))?;
+    let found = analyse(&grid.net, &moved, values.tolerance, &job.part(0.5, 1.0))?;
     let mut edges = Curves::none();
     let shape = grid.net.shape();
     for link in found.contracted.iter().map(|contracted| contracted.link).chain(found.torn.iter().copied()) {
@@ -43,7 +45,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     }
     let kind = if found.is_soft() { "soft" } else { "hard" };
     let mut text = format!(
-        "a {kind} deformation: {} made points, {} torn, {} folded over\n\
+        "a {kind} deformation: {} contracted to points, {} torn, {} folded\n\
          lengths of edges times {}, areas of faces times {}\n",
         counted(found.contracted.len(), EDGE),
         found.torn.len(),
@@ -51,7 +53,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         range(&found.links),
         range(&found.cells)
     );
-    let most = values.number("listed") as usize;
+    let most = values.listed as usize;
     if !found.folded.is_empty() && most > 0 {
         text += "folded:";
         for &cell in found.folded.iter().take(most) {
@@ -62,22 +64,16 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     Ok(vec![Output::Curves(edges), Output::Text(text.into())])
 }
 
-/// From the least number to the greatest.
+/// The smallest and the largest of some ratios.
 fn range(ratios: &[f64]) -> String {
     let [min, max] = aabb::range(ratios.iter().copied());
     format!("{} to {}", short(min), short(max))
 }
 
-/// The net with the positions of the other mesh, which must have the same faces.
+/// The net with the positions of another mesh, which must have the same faces.
 fn moved(grid: &GridNet, before: &MeshView<'_>, after: &MeshView<'_>, job: &Job<'_>) -> Result<Net<'static>> {
     job.step(0.0, "looking for the same faces")?;
-    let (a, b) = (before.faces(), after.faces());
-    let same = before.positions().len() == after.positions().len()
-        && a.half_edge_count() == b.half_edge_count()
-        && a.corners(0..a.half_edge_count()).eq(b.corners(0..b.half_edge_count()));
-    if !same {
-        return Err(Error::InputUnfit { input: 1, why: "a mesh with the faces of the first one is needed" });
-    }
+    require_same_faces(before, after, 1)?;
     let shape = grid.net.shape();
     let mut coordinates = Coordinates::zeroed(shape, after.positions().scalar())?;
     for i in 0..shape.rows() {

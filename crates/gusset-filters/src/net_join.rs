@@ -1,45 +1,65 @@
 use super::data::{Input, Output};
-use super::filter::Filter;
-use super::param::{NON_NEGATIVE, Param, Values};
+use super::filter::{Body, Filter};
 use super::quads::{self, CATEGORY, TRIANGLES};
-use super::report::counted;
-use super::report::{COLUMN, ROW};
+use super::report::{COLUMN, ROW, counted};
 use super::signatures::{TO_MESH_TEXT, TWO_MESHES};
+use super::typed::{MAX_COUNT, NON_NEGATIVE, Param, TypedParam, Values, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::{alloc, choices};
-use gusset_net::{BridgeMode, Direction, JoinOptions, Replication, concatenate_all};
+use gusset_net::{BridgeMode, Direction, JoinOptions, Net, Replication, concatenate_all};
 
 pub(super) const FILTER: Filter = Filter {
     id: "net_join",
     name: "Join quad grids",
     category: CATEGORY,
-    help: "Joins quad grids side by side to one: the rows, or columns, of each follow those of the one before, with a row of new \
-           quads between them, or welded. Smaller grids have rows replicated to fit.",
+    help: "Joins quad grids side by side into one. The rows or columns of each grid follow the grid before it, after a row of \
+           new quads or welded. Rows of smaller grids are replicated to fit.",
     reference: "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, concatenation",
     max_inputs: 1 << 16,
-    params: &[
-        Param::choice("direction", "Direction", DIRECTIONS.texts)
-            .with_help("The direction from each grid to the next."),
-        Param::choice("bridge", "Between them", BridgeMode::CHOICES.texts)
-            .with_help("The connection between two grids."),
-        Param::length("tolerance", "Welding distance", NON_NEGATIVE, &[0.0])
-            .with_help("The largest distance of vertices that are welded; 0 for equal positions."),
-        Param::choice("sizes", "Different sizes", REPLICATIONS.texts)
-            .with_help("The treatment of sides with different numbers of vertices."),
-        Param::int("twist", "Twist", [0.0, u32::MAX as f64], &[0.0]).with_help(
-            "The number of vertices by which closed sides of all grids but the first are rotated before joining.",
-        ),
-        Param { default: &[1.0], ..Param::flag("turn", "Flip") }
-            .with_help("Flips grids of opposite orientation to the first along the side; otherwise the filter fails."),
-        TRIANGLES,
-    ],
-    ..Filter::new(TWO_MESHES, TO_MESH_TEXT, run)
+    ..Filter::new(TWO_MESHES, TO_MESH_TEXT, &Body(run))
 };
+
+params! {
+    direction: Direction = DIRECTION;
+    bridge: BridgeMode = Param::choice("Between them", "The connection between two grids.", BridgeMode::CHOICES);
+    tolerance: f64 = Param::length(
+        "Welding distance",
+        "The largest distance of vertices that are welded; 0 for equal positions.",
+        NON_NEGATIVE, &[0.0],
+    );
+    sizes: Option<Replication> = SIZES;
+    twist: u32 = TWIST;
+    turn: bool = TURN;
+    triangles: bool = TRIANGLES;
+}
+
+/// The direction from each grid to the next.
+pub(super) const DIRECTION: TypedParam<Direction> =
+    Param::choice("Direction", "The direction from each grid to the next.", DIRECTIONS);
+
+/// The enlargement of smaller grids; `None` refuses them.
+pub(super) const SIZES: TypedParam<Option<Replication>> =
+    Param::choice("Different sizes", "The treatment of sides with different numbers of vertices.", REPLICATIONS);
+
+/// The rotation of closed sides.
+pub(super) const TWIST: TypedParam<u32> = Param::int(
+    "Twist",
+    "The number of vertices by which closed sides of all grids except the first are rotated before joining.",
+    [0.0, MAX_COUNT],
+    &[0.0],
+);
+
+/// The treatment of grids of opposite orientation.
+pub(super) const TURN: TypedParam<bool> = Param::flag(
+    "Flip",
+    "Flips grids of opposite orientation to the first along the side. Without it, the filter fails for such grids.",
+)
+.on();
 
 choices! {
     DIRECTIONS: Direction =
-        Direction::Down => "Below", "Its rows follow the last row; a closed row is joined to a closed row by a tube.";
+        Direction::Down => "Below", "Its rows follow the last row. A tube joins two closed rows.";
         Direction::Right => "Right", "Its columns follow the last column.";
 }
 
@@ -51,27 +71,38 @@ choices! {
         None => "Refuse", "The filter fails.";
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let grids = inputs.iter().enumerate();
-    let nets = alloc::try_collect(
-        grids.map(|(k, grid)| quads::net(grid.mesh()?, &job.part(0.0, 0.5).share(k, inputs.len()))),
-    )?;
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let options = JoinOptions {
-        mode: values.choice("bridge", BridgeMode::CHOICES),
-        tolerance: values.number("tolerance"),
-        equalise: values.choice("sizes", REPLICATIONS),
-        twist: values.number("twist") as u32,
-        turn: values.is_set("turn"),
-        ..JoinOptions::new(values.choice("direction", DIRECTIONS))
+        mode: values.bridge,
+        tolerance: values.tolerance,
+        equalise: values.sizes,
+        twist: values.twist,
+        turn: values.turn,
+        ..JoinOptions::new(values.direction)
     };
-    let all = alloc::collect(nets.iter())?;
-    let joined = concatenate_all(&all, &options, &job.part(0.5, 0.7))?;
+    let joined = joined(inputs, &options, &job.part(0.0, 0.7))?;
     let shape = joined.shape();
     let text = format!(
         "{} joined to {} and {}\n",
-        counted(nets.len(), ["grid", "grids"]),
+        counted(inputs.len(), ["grid", "grids"]),
         counted(shape.rows(), ROW),
         counted(shape.columns(), COLUMN)
     );
-    Ok(vec![Output::Mesh(quads::mesh(&joined, values, &job.part(0.7, 1.0))?, None), Output::Text(text.into())])
+    Ok(vec![
+        Output::Mesh(quads::mesh(&joined, values.triangles, &job.part(0.7, 1.0))?, None),
+        Output::Text(text.into()),
+    ])
+}
+
+/// The quad grids joined to one net.
+///
+/// # Errors
+/// The errors of [`concatenate_all`], and [`Error::NoGrid`](gusset_base::error::Error::NoGrid).
+pub(super) fn joined(inputs: &[Input<'_>], options: &JoinOptions, job: &Job<'_>) -> Result<Net<'static>> {
+    let grids = inputs.iter().enumerate();
+    let nets = alloc::try_collect(
+        grids.map(|(k, grid)| quads::net(grid.mesh()?, &job.part(0.0, 0.7).share(k, inputs.len()))),
+    )?;
+    let all = alloc::collect(nets.iter())?;
+    concatenate_all(&all, options, &job.part(0.7, 1.0))
 }

@@ -1,10 +1,9 @@
 use super::data::{Input, Output};
-use super::filter::Filter;
-use super::param::{Param, Values};
+use super::filter::{Body, Filter};
 use super::quads::{self, CATEGORY};
-use super::report::{BOUNDARY_LOOP, COLUMN, QUAD, ROW};
-use super::report::{Report, counted, short, short_point};
+use super::report::{BOUNDARY_LOOP, COLUMN, QUAD, ROW, Report, counted, short, short_point};
 use super::signatures::{MESH, TO_TEXT};
+use super::typed::{Param, Values, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_net::complex::Complex;
@@ -14,19 +13,24 @@ pub(super) const FILTER: Filter = Filter {
     id: "net_measures",
     name: "Measure a quad grid",
     category: CATEGORY,
-    help: "Measures a quad grid as a surface of bilinear patches: area, bounding box, planarity of the quads and topology; of a \
-           closed one also volume, centroid and inertia tensor.",
-    reference: "The divergence theorem on bilinear patches, with Gauss's points",
-    params: &[Param::real("planarity", "Planarity limit", [0.0, 1.0], &[0.01]).with_help(
-        "Quads whose corners are farther from their mean plane, relative to the longer diagonal, are counted.",
-    )],
-    ..Filter::new(MESH, TO_TEXT, run)
+    help: "Measures a quad grid as a surface of bilinear patches: area, bounding box, planarity of the quads and topology. A \
+           closed grid also has volume, centroid and inertia tensor.",
+    reference: "The divergence theorem on bilinear patches, with Gauss points",
+    ..Filter::new(MESH, TO_TEXT, &Body(run))
 };
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+params! {
+    planarity: f64 = Param::real(
+        "Planarity limit",
+        "Counts the quads whose corners are farther than this from their mean plane, relative to the longer diagonal.",
+        [0.0, 1.0], &[0.01],
+    );
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let net = quads::net(inputs[0].mesh()?, &job.part(0.0, 0.4))?;
     let measures = measure(&net, &job.part(0.4, 0.5))?;
-    let plane = planarity(&net, values.number("planarity"), &job.part(0.5, 0.6))?;
+    let plane = planarity(&net, values.planarity, &job.part(0.5, 0.6))?;
     let complex = Complex::of_topology(net.topology(), &job.part(0.6, 0.8))?;
     let sided = if complex.orientable { "two-sided" } else { "one-sided" };
     let mut text = format!(

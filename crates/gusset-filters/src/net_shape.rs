@@ -1,11 +1,10 @@
 use super::data::{Input, Output};
-use super::filter::Filter;
-use super::param::{LENGTHS, Param, Values};
+use super::filter::{Body, Filter};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
-use super::report::{BOUNDARY_LOOP, EDGE, QUAD, TRIANGLE, VERTEX};
-use super::report::{Report, counted};
+use super::report::{BOUNDARY_LOOP, EDGE, QUAD, Report, TRIANGLE, VERTEX, counted};
 use super::signatures::TO_MESH_TEXT;
-use gusset_base::choice::Choice;
+use super::typed::{LENGTHS, Param, Values, params};
+use gusset_base::choices;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_net::closure::{BoxKind, Cuboid};
@@ -19,79 +18,80 @@ pub(super) const FILTER: Filter = Filter {
     id: "net_shape",
     name: "Standard shape as a quad grid",
     category: CATEGORY,
-    help: "Makes a standard shape as a quad grid, closed by gluing: rows and columns of faces continue across its seams, and a side \
-           contracted to a pole is one vertex.",
+    help: "Makes a standard shape as a quad grid. Rows and columns of faces continue across its seams, and a side contracted to \
+           a pole is one vertex.",
     reference: REFERENCE,
-    params: &[
-        Param::choice("shape", "Shape", SHAPES).with_help("The shape, round the z axis."),
-        Param::int("rows", "Rows", COUNTS, &[33.0])
-            .with_help("The number of rows of nodes, from one pole or rim to the other."),
-        Param::int("columns", "Columns", COUNTS, &[65.0])
-            .with_help("The number of columns of nodes; in closed rows the last node repeats the first."),
-        Param::length("radius", "Radius", LENGTHS, &[1.0]).with_help("The radius; of a torus that of its centre line."),
-        Param::length("minor_radius", "Minor radius", LENGTHS, &[0.25])
-            .with_help("The radius of the tube of a torus, smaller than the radius."),
-        Param::length("height", "Height", LENGTHS, &[2.0])
-            .with_help("The height of tubes, cylinders, cones, prisms and pyramids."),
-        TRIANGLES,
-        Param::int("sides", "Sides", [3.0, 10_000.0], &[6.0])
-            .with_help("The number of sides of the base of prisms and pyramids, smaller than the number of columns."),
-    ],
-    ..Filter::new(&[], TO_MESH_TEXT, run)
+    ..Filter::new(&[], TO_MESH_TEXT, &Body(run))
 };
 
-const SHAPES: &[Choice] = &[
-    Choice::new("Sphere", "Meridians and parallels, with two poles."),
-    Choice::new("One-pole sphere", "A disc whose rim is contracted to the lowest point."),
-    Choice::new("Plane", "A square of twice the radius, seen from above."),
-    Choice::new("Tube", "A cylinder without caps."),
-    Choice::new("Cylinder", "A cylinder with caps."),
-    Choice::new("Cone", "A cone with its base."),
-    Choice::new("Torus", "A torus; its tube has the minor radius."),
-    Choice::new("Cube", "A cube of twice the radius; each face has as many quads along a side as there are rows."),
-    Choice::new("Moebius strip", "A one-sided strip, as wide as the minor radius."),
-    Choice::new("Klein bottle", "A closed one-sided surface, which intersects itself."),
-    Choice::new("Prism", "A right prism over a regular polygon, with caps."),
-    Choice::new("Pyramid", "A right pyramid over a regular polygon, with its base."),
-    Choice::new("Projective plane", "Boy's surface: closed and one-sided, intersecting itself."),
-    Choice::new(
-        "Pillow",
-        "Two square sheets of twice the radius, joined along their rim; as thick as the minor radius, and with an odd number of \
-         columns.",
-    ),
-];
+params! {
+    shape: MakeShape = Param::choice("Shape", "The shape, about the z axis.", SHAPES);
+    rows: u32 = Param::int("Rows", "The number of rows of nodes, from one pole or rim to the other.", COUNTS, &[33.0]);
+    columns: u32 = Param::int(
+        "Columns",
+        "The number of columns of nodes. In closed rows the last node repeats the first.",
+        COUNTS, &[65.0],
+    );
+    radius: f64 = Param::length("Radius", "The radius; for a torus, the radius of its centre line.", LENGTHS, &[1.0]);
+    minor_radius: f64 =
+        Param::length("Minor radius", "The radius of the tube of a torus, less than the radius.", LENGTHS, &[0.25]);
+    height: f64 =
+        Param::length("Height", "The height of tubes, cylinders, cones, prisms and pyramids.", LENGTHS, &[2.0]);
+    triangles: bool = TRIANGLES;
+    sides: u32 = Param::int(
+        "Sides",
+        "The number of sides of the base of prisms and pyramids, less than the number of columns.",
+        [3.0, 10_000.0], &[6.0],
+    );
+}
 
-fn run(_: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let [radius, minor_radius, height] = ["radius", "minor_radius", "height"].map(|id| values.number(id));
-    let [rows, columns] = ["rows", "columns"].map(|id| values.number(id) as usize);
-    let side = 2.0 * radius;
-    let (cells, sides) = ([rows as u32 - 1; 3], values.number("sides") as u32);
-    let shapes = [
-        Primitive::Sphere { radius },
-        Primitive::OnePoleSphere { radius },
-        Primitive::Plane { size: [side; 2] },
-        Primitive::Tube { radius, height },
-        Primitive::Cylinder { radius, height },
-        Primitive::Cone { radius, height },
-        Primitive::Torus { radius, minor_radius },
-        Primitive::Cuboid { cuboid: Cuboid { cells, kind: BoxKind::Slit }, size: [side; 3] },
-        Primitive::Moebius { radius, width: minor_radius },
-        Primitive::Klein { radius, minor_radius },
-        Primitive::Prism { sides, radius, height },
-        Primitive::Pyramid { sides, radius, height },
-        Primitive::ProjectivePlane { radius },
-        Primitive::Pillow { size: [side; 2], thickness: minor_radius },
-    ];
-    let request = Request { rows, columns, ..Request::new(shapes[values.place("shape")]) };
+/// The shape that the parameters give.
+type MakeShape = fn(&Params) -> Primitive<'static>;
+
+choices! {
+    SHAPES: MakeShape =
+        |values| Primitive::Sphere { radius: values.radius } => "Sphere", "Meridians and parallels, with two poles.";
+        |values| Primitive::OnePoleSphere { radius: values.radius } => "One-pole sphere",
+            "A disc whose rim is contracted to the lowest point.";
+        |values| Primitive::Plane { size: [2.0 * values.radius; 2] } => "Plane",
+            "A square with sides of twice the radius, seen from above.";
+        |values| Primitive::Tube { radius: values.radius, height: values.height } => "Tube", "A cylinder without caps.";
+        |values| Primitive::Cylinder { radius: values.radius, height: values.height } => "Cylinder",
+            "A cylinder with caps.";
+        |values| Primitive::Cone { radius: values.radius, height: values.height } => "Cone", "A cone with its base.";
+        |values| Primitive::Torus { radius: values.radius, minor_radius: values.minor_radius } => "Torus",
+            "A torus; its tube has the minor radius.";
+        |values| {
+            let cuboid = Cuboid { cells: [values.rows - 1; 3], kind: BoxKind::Slit };
+            Primitive::Cuboid { cuboid, size: [2.0 * values.radius; 3] }
+        } => "Cube", "A cube with sides of twice the radius. Each face has one row of quads fewer than the number of rows.";
+        |values| Primitive::Moebius { radius: values.radius, width: values.minor_radius } => "Moebius strip",
+            "A one-sided strip, as wide as the minor radius.";
+        |values| Primitive::Klein { radius: values.radius, minor_radius: values.minor_radius } => "Klein bottle",
+            "A closed one-sided surface, which intersects itself.";
+        |values| Primitive::Prism { sides: values.sides, radius: values.radius, height: values.height } => "Prism",
+            "A right prism over a regular polygon, with caps.";
+        |values| Primitive::Pyramid { sides: values.sides, radius: values.radius, height: values.height } => "Pyramid",
+            "A right pyramid over a regular polygon, with its base.";
+        |values| Primitive::ProjectivePlane { radius: values.radius } => "Projective plane",
+            "Boy's surface: closed, one-sided, and intersecting itself.";
+        |values| Primitive::Pillow { size: [2.0 * values.radius; 2], thickness: values.minor_radius } => "Pillow",
+            "Two square sheets with sides of twice the radius, joined along their rims and as thick as the minor radius. The \
+             number of columns must be odd.";
+}
+
+fn run(_: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let [rows, columns] = [values.rows, values.columns].map(|count| count as usize);
+    let request = Request { rows, columns, ..Request::new((values.shape)(values)) };
     let net = request.net(&job.part(0.0, 0.5)).map_err(|error| match error {
-        // The other measures are in their ranges, and always fit.
+        // The core names the parameter with a space. Other measures fit by their ranges.
         Error::OptionOutOfRange { option: "minor radius", value } => {
             Error::OptionOutOfRange { option: "minor_radius", value }
         }
         error => error,
     })?;
     let complex = Complex::of_topology(net.topology(), &job.part(0.5, 0.7))?;
-    let mesh = quads::mesh(&net, values, &job.part(0.7, 1.0))?;
+    let mesh = quads::mesh(&net, values.triangles, &job.part(0.7, 1.0))?;
     let text = format!(
         "{}, {}, {}, {}\nEuler characteristic {}, {}\n",
         counted(complex.vertices, VERTEX),

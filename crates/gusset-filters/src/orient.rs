@@ -1,9 +1,8 @@
 use super::data::{Input, Output};
-use super::filter::Filter;
-use super::param::{Param, Values};
-use super::report::{FACE, PIECE};
-use super::report::{Report, counted, push_line, push_more};
+use super::filter::{Body, Filter};
+use super::report::{FACE, PIECE, Report, counted, push_line, push_more};
 use super::signatures::{MESH, TO_MESH_TEXT};
+use super::typed::{Param, Values, params};
 use gusset_attributes::{KeepSplits, Origins};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -16,19 +15,21 @@ pub(super) const FILTER: Filter = Filter {
     id: "orient",
     name: "Orient faces",
     category: "Repair",
-    help: "Reverses faces until neighbours are consistently oriented, as few as possible in each component. One-sided components, \
-           such as a Moebius strip, stay as they are.",
+    help: "Reverses the fewest faces of each component that make neighbours consistently oriented. One-sided components, such \
+           as a Moebius strip, stay as they are.",
     reference: "Breadth-first search across edges of two faces",
     replaces: true,
     has_origins: true,
-    params: &[Param::choice("outward", "Closed components", Outward::CHOICES.texts)
-        .with_help("The orientation of closed components.")],
-    ..Filter::new(MESH, TO_MESH_TEXT, run)
+    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
 };
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let outward = values.choice("outward", Outward::CHOICES);
-    let mut done = orient(inputs[0].mesh()?, &Options { outward }, job)?;
+params! {
+    outward: Outward = Param::choice("Closed components", "The orientation of closed components.", Outward::CHOICES);
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let options = Options { outward: values.outward };
+    let mut done = orient(inputs[0].mesh()?, &options, job)?;
     done.keep_splits(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
     let report = report(&done);
     let origins = values.origins(|| Origins::of_oriented(&done, &job.part(1.0, 1.0)))?;
@@ -37,13 +38,13 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
 
 fn report(done: &Oriented) -> Report {
     let mut text = format!(
-        "{} of {} turned over, {}\n",
+        "{} of {} reversed, {}\n",
         done.turned_faces,
         counted(done.turned.len(), FACE),
         counted(done.components, PIECE)
     );
     for found in done.one_sided.iter().take(MAX_LISTED) {
-        push_line!(text, "the piece of face {} has one side only (half-edge {})", found.face, found.half_edge);
+        push_line!(text, "the piece of face {} is one-sided (half-edge {})", found.face, found.half_edge);
     }
     push_more(&mut text, done.one_sided.len(), MAX_LISTED);
     let values = [

@@ -1,16 +1,31 @@
-use super::curve::{CATEGORY, REFERENCE, sampled};
+use super::curve::{CATEGORY, CHORD_ERROR, REFERENCE, sampled};
 use super::data::{Curves, Input, Output};
-use super::filter::Filter;
-use super::param::{Param, ParamKind, Values};
-use super::report::POINT;
-use super::report::{counted, push_line};
+use super::filter::{Body, Filter};
+use super::report::{POINT, counted, push_line};
 use super::signatures::{CURVES, TO_CURVES_TEXT};
+use super::typed::{Param, Values, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_curve::ops::Spacing;
 use gusset_curve::{
     Ends, Fit, FitStatus, JointParameter, Lock, Method, Mode, Options, Outlines, PointStatus, Points, fit,
 };
+
+params! {
+    curve: Mode = Param::choice("Curve", "The kind of curve that is drawn.", Mode::CHOICES);
+    method: Method = Param::choice("Method", "The line that holds the control point of a section.", Method::CHOICES);
+    lock: Lock = Param::choice("Constraint", "The condition that fixes the section of a point.", Lock::CHOICES);
+    joint: JointParameter =
+        Param::choice("Joints", "The joints between the sections of a composite curve.", JointParameter::CHOICES);
+    ends: Ends = Param::choice("Ends", "The end conditions of open curves.", Ends::CHOICES);
+    corner_angle: f64 = Param::angle(
+        "Corners",
+        "Points where the polyline turns by more than this angle remain corners; pi makes all of them smooth.",
+        [0.0, PI], &[PI],
+    );
+    chord_error: f64 = CHORD_ERROR
+        .explained("The largest distance of the polyline from the curve, relative to the size of the curve.");
+}
 use std::f64::consts::PI;
 
 pub(super) const FILTER: Filter = Filter {
@@ -18,34 +33,20 @@ pub(super) const FILTER: Filter = Filter {
     name: "Smooth curves through points",
     category: CATEGORY,
     help: "Draws smooth Bezier curves through all points of polylines, and returns them as finer polylines. Each point is the \
-           middle of a quadratic section whose control point lies on the bisector, the median or the normal at the point.",
+           middle of a quadratic section, whose control point lies on the bisector, the median or the normal at the point.",
     reference: REFERENCE,
-    params: &[
-        Param::choice("curve", "Curve", Mode::CHOICES.texts).with_help("The kind of curve that is drawn."),
-        Param::choice("method", "Method", Method::CHOICES.texts)
-            .with_help("The line that holds the control point of a section."),
-        Param::choice("lock", "Constraint", Lock::CHOICES.texts)
-            .with_help("The condition that fixes the section of a point."),
-        Param::choice("joint", "Joints", JointParameter::CHOICES.texts)
-            .with_help("The joints between the sections of a composite curve."),
-        Param::choice("ends", "Ends", Ends::CHOICES.texts).with_help("The end conditions of open curves."),
-        Param::new(ParamKind::Angle, "corner_angle", "Corners", [0.0, PI], &[PI])
-            .with_help("Points where the polyline turns by more than this angle remain corners; pi for none."),
-        Param::relative_error("chord_error", "Chord error")
-            .with_help("The largest distance of the polyline from the curve, relative to the size of the curve."),
-    ],
-    ..Filter::new(CURVES, TO_CURVES_TEXT, run)
+    ..Filter::new(CURVES, TO_CURVES_TEXT, &Body(run))
 };
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let given = inputs[0].curves()?;
     let options = Options {
-        mode: values.choice("curve", Mode::CHOICES),
-        method: values.choice("method", Method::CHOICES),
-        lock: values.choice("lock", Lock::CHOICES),
-        joint: values.choice("joint", JointParameter::CHOICES),
-        ends: values.choice("ends", Ends::CHOICES),
-        corner_angle: values.number("corner_angle"),
+        mode: values.curve,
+        method: values.method,
+        lock: values.lock,
+        joint: values.joint,
+        ends: values.ends,
+        corner_angle: values.corner_angle,
         ..Options::default()
     };
     let (mut drawn, mut text) = (Curves::none(), String::new());
@@ -54,7 +55,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         let part = job.share(c, curves.len());
         let outline = Outlines { points: Points::from(points), offsets: None, closed, constraints: &[] };
         let done = fit(&outline, &options, &part.part(0.0, 0.8))?;
-        let chord = (values.number("chord_error") * done.reports()[0].size).max(f64::MIN_POSITIVE);
+        let chord = (values.chord_error * done.reports()[0].size).max(f64::MIN_POSITIVE);
         let points = sampled(&done.curve(0), Spacing::Chord(chord), &part.part(0.8, 1.0))?;
         drawn.add(points.into_iter(), closed)?;
         push_line!(text, "curve {c}: {}", report(&done));
@@ -65,8 +66,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
 fn report(done: &Fit) -> String {
     let account = &done.reports()[0];
     let what = match account.status {
-        FitStatus::Ok => "as asked",
-        FitStatus::Partial => "not all points as asked",
+        FitStatus::Ok => "as requested",
+        FitStatus::Partial => "not all points as requested",
         FitStatus::NotConverged => "not converged",
         FitStatus::Diverged => "diverged",
         FitStatus::IllConditioned => "ill conditioned",

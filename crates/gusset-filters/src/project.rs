@@ -1,10 +1,10 @@
 use super::data::{Input, Output};
-use super::deform::{moved, moved_output};
-use super::extent::extent_of;
-use super::filter::{Defaults, Filter};
-use super::param::{COORDINATES, Param, ParamKind, Values};
+use super::filter::{Body, Filter};
+use super::moving::{CATEGORY, STRENGTH, moved, moved_output};
 use super::signatures::{MESH, TO_MESH};
-use gusset_base::choice::Choice;
+use super::typed::{Param, Plane, Values, params};
+use glam::DVec3;
+use gusset_base::choices;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_net::field::{Field, parallel_projection, perspective_projection};
@@ -12,60 +12,57 @@ use gusset_net::field::{Field, parallel_projection, perspective_projection};
 pub(super) const FILTER: Filter = Filter {
     id: "project",
     name: "Project onto a plane",
-    category: "Deformation",
-    help: "Projects the vertices of a mesh onto a plane, along a direction or through a centre, or moves them a fraction of the way. \
-           Faces are unchanged.",
+    category: CATEGORY,
+    help: "Projects the vertices of a mesh onto a plane, along a direction or through a point, or moves them a fraction of the \
+           way. Faces do not change.",
     reference: "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, projections",
     replaces: true,
     has_origins: true,
-    params: &[
-        Param::plane("plane", "Plane").with_help("The plane of projection; the plane below the mesh is suggested."),
-        Param::choice("along", "Along", PROJECTIONS).with_help("The lines of projection."),
-        Param::direction("direction", "Direction").with_help("The direction of projection, if given."),
-        Param::new(ParamKind::Point, "eye", "Point", COORDINATES, &[0.0, 0.0, 1e3])
-            .with_help("The centre of projection, if given; a point above the mesh is suggested."),
-        Param::real("strength", "Strength", [0.0, 1.0], &[1.0])
-            .with_help("The fraction of the way: 0 leaves the mesh unchanged, 1 puts the vertices in the plane."),
-    ],
-    suggest: Some(suggest),
-    ..Filter::new(MESH, TO_MESH, run)
+    ..Filter::new(MESH, TO_MESH, &Body(run))
 };
 
-const PROJECTIONS: &[Choice] = &[
-    Choice::new("Normal", "Perpendicular to the plane."),
-    Choice::new("Direction", "Along the given direction, which is not parallel to the plane."),
-    Choice::new("Lines through a point", "Central projection from the given point, which is not in the plane."),
-];
-
-fn suggest(inputs: &[Input<'_>], defaults: &mut Defaults<'_>) {
-    if let Some(extent) = extent_of(inputs) {
-        defaults.set("plane", &[0.0, 0.0, 1.0, extent.low.z]);
-        let eye = extent.centre().with_z(extent.high.z + 2.0 * extent.diagonal());
-        defaults.set("eye", &eye.to_array());
-    }
+params! {
+    plane: Plane = Param::plane("Plane", "The plane of projection. The plane below the mesh is suggested.")
+        .suggested(|_, extent| Some([0.0, 0.0, 1.0, extent.low.z]));
+    along: MakeProjection = Param::choice("Along", "The lines of projection.", PROJECTIONS);
+    direction: DVec3 = Param::direction("Direction", "The direction of projection, if it is given.");
+    eye: DVec3 = Param::point(
+        "Point",
+        "The centre of projection, if it is given. A point above the mesh is suggested.",
+        &[0.0, 0.0, 1e3],
+    ).suggested(|_, extent| Some(extent.centre().with_z(extent.high.z + 2.0 * extent.diagonal())));
+    strength: f64 = STRENGTH;
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let (normal, distance) = values.plane("plane")?;
-    let point = distance * normal;
-    let field: Box<dyn Field> = match values.place("along") {
-        0 => Box::new(parallel_projection(point, normal, normal)?),
-        1 => {
-            let direction = values.direction("direction")?;
-            require_height("direction", normal.dot(direction), 1.0)?;
-            Box::new(parallel_projection(point, normal, direction)?)
-        }
-        _ => {
-            let eye = values.vector("eye");
-            require_height("eye", normal.dot(eye) - distance, eye.length() + distance.abs())?;
-            Box::new(perspective_projection(eye, point, normal)?)
-        }
-    };
-    let moved = moved(inputs[0].mesh()?, field.as_ref(), values.number("strength"), job)?;
+/// The projection that the parameters give.
+type MakeProjection = fn(&Params) -> Result<Box<dyn Field>>;
+
+choices! {
+    PROJECTIONS: MakeProjection =
+        |values| parallel(values.plane, values.plane.normal) => "Normal", "Perpendicular to the plane.";
+        |values| {
+            require_height("direction", values.plane.normal.dot(values.direction), 1.0)?;
+            parallel(values.plane, values.direction)
+        } => "Direction", "Along the given direction, which is not parallel to the plane.";
+        |values| central(values.plane, values.eye) => "Lines through a point",
+            "Central projection from the given point, which is not in the plane.";
+}
+
+fn parallel(Plane { normal, distance }: Plane, direction: DVec3) -> Result<Box<dyn Field>> {
+    Ok(Box::new(parallel_projection(distance * normal, normal, direction)?))
+}
+
+fn central(Plane { normal, distance }: Plane, eye: DVec3) -> Result<Box<dyn Field>> {
+    require_height("eye", normal.dot(eye) - distance, eye.length() + distance.abs())?;
+    Ok(Box::new(perspective_projection(eye, distance * normal, normal)?))
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let moved = moved(inputs[0].mesh()?, (values.along)(values)?.as_ref(), values.strength, job)?;
     Ok(vec![moved_output(moved, inputs, values, job)?])
 }
 
-/// [`Error::OptionOutOfRange`] for a height above the plane that vanishes within rounding.
+/// [`Error::OptionOutOfRange`] for a height above the plane that is 0 within rounding.
 fn require_height(option: &'static str, height: f64, size: f64) -> Result<()> {
     Error::require(height.abs() > 64.0 * f64::EPSILON * size, option, height)
 }

@@ -1,7 +1,7 @@
 //! Common parts of filters of quad grids: the net of a mesh of quads in rows and columns, and back.
 
 use super::data::Output;
-use super::param::{Param, Values};
+use super::typed::{Param, Parameters, TypedParam, Values};
 use gusset_attributes::Origins;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -13,54 +13,55 @@ pub(super) const CATEGORY: &str = "Quad grids";
 pub(super) const REFERENCE: &str = "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks";
 
 /// Cuts quads into triangles.
-pub(super) const TRIANGLES: Param =
-    Param::flag("triangles", "Triangles").with_help("Cuts quads along their shorter diagonals.");
+pub(super) const TRIANGLES: TypedParam<bool> = Param::flag("Triangles", "Cuts quads along their shorter diagonals.");
 
 /// The net whose cells are the faces of a mesh.
 ///
 /// # Errors
-/// Those of [`net_of_grid`].
+/// The errors of [`net_of_grid`].
 pub(super) fn net(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Net<'static>> {
     grid(mesh, job).map(|found| found.net)
 }
 
-/// The same net, and which vertices and faces its nodes and cells are.
+/// The net whose cells are the faces of a mesh. It tells the vertex of each node and the face of each
+/// cell.
 ///
 /// # Errors
-/// Those of [`net_of_grid`].
+/// The errors of [`net_of_grid`].
 pub(super) fn grid(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<GridNet> {
     net_of_grid(mesh, None, job)
 }
 
-/// The mesh of a net, of triangles if [`TRIANGLES`] is set.
+/// The mesh of a net, of triangles on request.
 ///
 /// # Errors
-/// Those of [`Net::to_mesh`].
-pub(super) fn mesh(net: &Net<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<Mesh> {
-    net_mesh(net, values, job).map(|made| made.mesh)
+/// The errors of [`Net::to_mesh`].
+pub(super) fn mesh(net: &Net<'_>, triangles: bool, job: &Job<'_>) -> Result<Mesh> {
+    net_mesh(net, triangles, job).map(|made| made.mesh)
 }
 
-/// The same mesh, and which nodes and cells its vertices and faces are.
+/// The mesh of a net, and the nodes and cells that its vertices and faces are.
 ///
 /// # Errors
-/// Those of [`Net::to_mesh`].
-fn net_mesh(net: &Net<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<NetMesh> {
-    let triangles = values.is_set(TRIANGLES.id).then_some(Diagonal::Shorter);
+/// The errors of [`Net::to_mesh`].
+fn net_mesh(net: &Net<'_>, triangles: bool, job: &Job<'_>) -> Result<NetMesh> {
+    let triangles = triangles.then_some(Diagonal::Shorter);
     net.to_mesh(&MeshOptions { triangles, ..MeshOptions::default() }, job)
 }
 
-/// The mesh of a net with some of the rows and columns of a grid, as an output.
+/// The mesh of a net that has some rows and columns of a grid, as an output. The flag asks for
+/// triangles.
 ///
 /// # Errors
-/// Those of [`Net::to_mesh`].
-pub(super) fn output(
+/// The errors of [`Net::to_mesh`].
+pub(super) fn output<P: Parameters>(
     net: &Net<'_>,
     (input, grid): (&MeshView<'_>, &GridNet),
     lines: [&[usize]; 2],
-    values: &Values<'_>,
+    (values, triangles): (&Values<P>, bool),
     job: &Job<'_>,
 ) -> Result<Output> {
-    let made = net_mesh(net, values, &job.part(0.0, 0.5))?;
+    let made = net_mesh(net, triangles, &job.part(0.0, 0.5))?;
     let origins = values.origins(|| Origins::of_grid_mesh(input, grid, lines, &made, &job.part(0.5, 1.0)))?;
     Ok(Output::Mesh(made.mesh, origins))
 }

@@ -99,7 +99,7 @@ macro_rules! push_line {
 }
 pub(super) use push_line;
 
-/// Appends a line on what a list leaves out, if it does.
+/// Appends a line that counts the items beyond the listed ones, if there are any.
 pub(super) fn push_more(text: &mut String, count: usize, listed: usize) {
     if count > listed {
         push_line!(text, "and {} more", count - listed);
@@ -109,7 +109,7 @@ pub(super) fn push_more(text: &mut String, count: usize, listed: usize) {
 /// A line on distances: their number, the largest, the mean and the root mean square.
 pub(super) fn distances(of_what: Noun, distances: impl Iterator<Item = f64>) -> Report {
     let (mut count, mut largest, mut sum) = (0u64, 0.0f64, 0.0);
-    // Squares relative to the largest so far, which neither overflow nor vanish.
+    // Squares are relative to the largest so far: they do not overflow or vanish.
     let mut squares = 0.0;
     for distance in distances {
         count += 1;

@@ -1,10 +1,9 @@
 use super::data::{Input, Output};
-use super::filter::Filter;
-use super::param::{Param, Values};
-use super::report::{EDGE, FACE, VERTEX};
-use super::report::{Report, counted};
+use super::filter::{Body, Filter};
+use super::report::{EDGE, FACE, Report, VERTEX, counted};
 use super::signatures::{MESH, TO_MESH_TEXT};
-use super::weld::{TOLERANCES, UNUSED_PARAM, removes_unused, tolerance};
+use super::typed::{Values, params};
+use super::weld::{TOLERANCE, UNUSED};
 use gusset_attributes::{KeepSplits, Origins};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -15,24 +14,22 @@ pub(super) const FILTER: Filter = Filter {
     id: "sew",
     name: "Sew borders",
     category: "Repair",
-    help: "Welds borders that lie on one another, also where their vertices do not match: edges are split where vertices of \
-           another border lie on them, if the parts then coincide two by two. Triangles with split edges are cut into triangles, \
-           larger faces gain corners.",
-    reference: "Greedy clustering in the order of the vertices; edges are sewn two by two",
+    help: "Welds coincident borders, even if their vertices do not match. An edge is split where a vertex of another border \
+           lies on it, if the parts then coincide in pairs. Triangles with split edges are cut into triangles; larger faces \
+           gain corners.",
+    reference: "Greedy clustering in the order of the vertices; edges are sewn in pairs",
     replaces: true,
     has_origins: true,
-    params: &[
-        Param::length("tolerance", "Tolerance", TOLERANCES, &[-1.0]).with_help(
-            "The largest distance of vertices from others or from edges that they lie on; 0 takes equal positions, -1 what \
-             rounding of the positions can do, as their type and the digits that they show tell.",
-        ),
-        UNUSED_PARAM,
-    ],
-    ..Filter::new(MESH, TO_MESH_TEXT, run)
+    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
 };
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let options = Options { tolerance: tolerance(values), remove_unused: removes_unused(values), ..Options::default() };
+params! {
+    tolerance: Option<f64> = TOLERANCE;
+    unused: bool = UNUSED;
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let options = Options { tolerance: values.tolerance, remove_unused: values.unused, ..Options::default() };
     let mut done = sew(inputs[0].mesh()?, &options, job)?;
     done.keep_splits(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
     let report = report(&done);
@@ -42,7 +39,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
 
 fn report(done: &Sew) -> Report {
     let text = format!(
-        "{} welded, {} sewn, {} split at {}\n{} left that lie on others or on edges\n",
+        "{} welded, {} sewn, {} split at {}\nnot welded: {} that lie on other vertices or on edges\n",
         counted(done.welded_vertices, VERTEX),
         counted(done.sewn_edges, EDGE),
         counted(done.split_faces, FACE),

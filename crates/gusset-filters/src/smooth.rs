@@ -1,13 +1,12 @@
 //! Common parts of filters of smooth surfaces: the surface through the vertices of a quad grid.
 
+use super::curve;
 use super::data::Curves;
-use super::param::{Param, Values};
-use super::report::{CURVE, FACE, POINT, VERTEX};
-use super::report::{Report, counted};
+use super::report::{CURVE, FACE, POINT, Report, VERTEX, counted};
+use super::typed::{Param, TypedParam};
 use glam::DVec3;
 use gusset_base::alloc;
-use gusset_base::error::Element;
-use gusset_base::error::{Error, Result};
+use gusset_base::error::{Element, Error, Result};
 use gusset_base::job::Job;
 use gusset_mesh::{Mesh, MeshView};
 use gusset_net::convert::net_of_grid;
@@ -18,26 +17,34 @@ pub(super) const CATEGORY: &str = "Smooth surfaces";
 pub(super) const REFERENCE: &str = "V. A. Leus, Carcasses on smooth surfaces, 1976";
 
 /// The interpolation of the surface.
-pub(super) const SCHEME: Param = Param::choice("scheme", "Surface", Scheme::CHOICES.texts)
-    .with_help("The interpolation of the vertices, whose quads must form a grid of rows and columns.");
+pub(super) const SCHEME: TypedParam<Scheme> = Param::choice(
+    "Surface",
+    "The interpolation of the vertices. The quads must form a grid of rows and columns.",
+    Scheme::CHOICES,
+);
 
 /// The fineness of curves.
-pub(super) const CHORD_ERROR: Param = Param::relative_error("chord_error", "Chord error")
-    .with_help("The largest distance of the polylines from the curves, relative to the diagonal of the surface's box.");
+pub(super) const CHORD_ERROR: TypedParam<f64> = curve::CHORD_ERROR
+    .explained("The largest distance of the polylines from the curves, relative to the diagonal of the surface's box.");
 
-/// The fineness of meshes: relative deviation, fewest parts of a cell, triangles or quads.
-pub(super) const FINENESS: [Param; 3] = [
-    Param::real("deviation", "Deviation", [1e-7, 1.0], &[1e-3])
-        .with_help("The largest distance of faces from the surface, relative to the diagonal of its box."),
-    Param::int("parts", "Parts", [1.0, 1000.0], &[1.0])
-        .with_help("The smallest number of parts of each side of a cell."),
-    Param::flag("triangles", "Triangles").with_help("Makes triangles instead of quads."),
-];
+/// The fineness of meshes: their relative deviation from the surface.
+pub(super) const DEVIATION: TypedParam<f64> = Param::real(
+    "Deviation",
+    "The largest distance of faces from the surface, relative to the diagonal of its box.",
+    [1e-7, 1.0],
+    &[1e-3],
+);
 
-/// The surface through a mesh, with its normals on the side that the faces are counter-clockwise
-/// from.
-pub(super) fn surface(mesh: &MeshView<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<Surface<'static>> {
-    let scheme = values.choice("scheme", Scheme::CHOICES);
+/// The fineness of meshes: the parts of a cell.
+pub(super) const PARTS: TypedParam<u32> =
+    Param::int("Parts", "The smallest number of parts of each side of a cell.", [1.0, 1000.0], &[1.0]);
+
+/// The faces of meshes.
+pub(super) const TRIANGLES: TypedParam<bool> = Param::flag("Triangles", "Makes triangles instead of quads.");
+
+/// The surface through a mesh. Its normals point to the side from which faces run
+/// counter-clockwise.
+pub(super) fn surface(mesh: &MeshView<'_>, scheme: Scheme, job: &Job<'_>) -> Result<Surface<'static>> {
     let found = net_of_grid(mesh, None, &job.part(0.0, 0.6))?;
     let (rows, columns) = (found.net.shape().rows(), found.net.shape().columns());
     let vertex = |i: usize, j: usize| found.vertex_of_node[i * columns + j];
@@ -51,19 +58,24 @@ pub(super) fn surface(mesh: &MeshView<'_>, values: &Values<'_>, job: &Job<'_>) -
     Surface::new(vec![sheet], None, &job.part(0.6, 1.0))
 }
 
-/// The largest distance of chords.
-pub(super) fn chord(surface: &Surface<'_>, values: &Values<'_>) -> PointSpacing {
+/// The largest distance of chords that a relative [`CHORD_ERROR`] allows.
+pub(super) fn chord(surface: &Surface<'_>, chord_error: f64) -> PointSpacing {
     let [low, high] = surface.bounds();
-    PointSpacing::Chord((values.number("chord_error") * low.distance(high)).max(f64::MIN_POSITIVE))
+    PointSpacing::Chord((chord_error * low.distance(high)).max(f64::MIN_POSITIVE))
 }
 
-/// The surface of one sheet as a mesh, and a report of one line.
-pub(super) fn meshed(surface: &Surface<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<(Mesh, Report)> {
+/// The surface of one sheet as a mesh, and a report of one line. The fineness is the values of
+/// [`DEVIATION`], [`PARTS`] and [`TRIANGLES`].
+pub(super) fn meshed(
+    surface: &Surface<'_>,
+    (deviation, parts, triangles): (f64, u32, bool),
+    job: &Job<'_>,
+) -> Result<(Mesh, Report)> {
     let [low, high] = surface.bounds();
     let options = SurfaceMeshOptions {
-        tolerance: (values.number("deviation") * low.distance(high)).max(f64::MIN_POSITIVE),
-        least: [values.number("parts") as u32; 2],
-        triangles: values.is_set("triangles"),
+        tolerance: (deviation * low.distance(high)).max(f64::MIN_POSITIVE),
+        least: [parts; 2],
+        triangles,
     };
     let made = surface.sheet(0).to_mesh(&options, job)?;
     let (vertices, faces) = (made.places.len(), made.mesh.face_count());
@@ -77,7 +89,7 @@ pub(super) fn meshed(surface: &Surface<'_>, values: &Values<'_>, job: &Job<'_>) 
     Ok((made.mesh, Report::new(text, &values)))
 }
 
-/// The nearest points of all queries, which are elements of that kind.
+/// The nearest points of all queries, which are elements of the given kind.
 pub(super) fn nearest(
     surface: &Surface<'_>,
     queries: &[DVec3],

@@ -1,13 +1,14 @@
 use super::curve::{self, INTERPOLATION};
 use super::data::{Curves, Input, InputKind, Output};
-use super::filter::Filter;
-use super::param::Values;
-use super::report::HIT;
-use super::report::{counted, push_line, short, short_point};
+use super::filter::{Body, Filter};
+use super::report::{HIT, counted, push_line, short, short_point};
 use super::signatures::TO_CURVES_TEXT;
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
+use super::typed::{Values, params};
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
+use gusset_curve::Mode;
+use gusset_surface::Scheme;
 use gusset_surface::line_intersection::HitSelection;
 
 /// The largest number of intersections that the report lists.
@@ -17,16 +18,20 @@ pub(super) const FILTER: Filter = Filter {
     id: "smooth_curve",
     name: "Intersections of curves with a smooth surface",
     category: CATEGORY,
-    help: "Finds where curves intersect the smooth surface through the vertices of a quad grid: a curve of one point for each \
-           intersection. None is missed.",
+    help: "Finds where curves intersect the smooth surface through the vertices of a quad grid. Each intersection is a curve of \
+           one point. No intersection is missed.",
     reference: REFERENCE,
-    params: &[SCHEME, INTERPOLATION],
-    ..Filter::new(&[InputKind::Mesh, InputKind::Curves], TO_CURVES_TEXT, run)
+    ..Filter::new(&[InputKind::Mesh, InputKind::Curves], TO_CURVES_TEXT, &Body(run))
 };
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let curves = curve::curves(inputs[1].curves()?, values, &job.part(0.0, 0.2))?;
-    let surface = smooth::surface(inputs[0].mesh()?, values, &job.part(0.2, 0.6))?;
+params! {
+    scheme: Scheme = SCHEME;
+    between: Option<Mode> = INTERPOLATION;
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let curves = curve::curves(inputs[1].curves()?, values.between, &job.part(0.0, 0.2))?;
+    let surface = smooth::surface(inputs[0].mesh()?, values.scheme, &job.part(0.2, 0.6))?;
     let (mut points, mut text) = (Curves::none(), String::new());
     let job = job.part(0.6, 1.0);
     for (c, curve) in curves.iter().enumerate().filter(|(_, curve)| !curve.view().is_empty()) {

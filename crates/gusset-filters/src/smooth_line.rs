@@ -1,57 +1,51 @@
 use super::data::{Curves, Input, Output};
-use super::extent::extent_of;
-use super::filter::{Defaults, Filter};
-use super::param::{COORDINATES, Param, ParamKind, Values};
-use super::report::HIT;
-use super::report::{counted, push_line, short, short_point};
+use super::filter::{Body, Filter};
+use super::report::{HIT, counted, push_line, short, short_point};
 use super::signatures::{MESH, TO_CURVES_TEXT};
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
-use gusset_base::choice::Choice;
+use super::typed::{Param, Values, params};
+use glam::DVec3;
+use gusset_base::choices;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
+use gusset_surface::Scheme;
 use gusset_surface::line_intersection::{HitSelection, Line};
 
 pub(super) const FILTER: Filter = Filter {
     id: "smooth_line",
     name: "Intersections of a line with a smooth surface",
     category: CATEGORY,
-    help: "Finds where a line or a ray intersects the smooth surface through the vertices of a quad grid: a curve of one point for \
-           each intersection, with its distance from the given point and the normal. None is missed.",
+    help: "Finds where a line or a ray intersects the smooth surface through the vertices of a quad grid. Each intersection is \
+           a curve of one point; the report has its distance from the given point and the normal. No intersection is missed.",
     reference: REFERENCE,
-    params: &[
-        SCHEME,
-        Param::new(ParamKind::Point, "point", "Point", COORDINATES, &[0.0, 0.0, -1e3])
-            .with_help("A point on the line, the origin of a ray; a point below the centre of the mesh is suggested."),
-        Param::direction("direction", "Direction").with_help("The direction of the line."),
-        Param::choice("which", "Hits", HITS).with_help("The intersections that are returned."),
-    ],
-    suggest: Some(suggest),
-    ..Filter::new(MESH, TO_CURVES_TEXT, run)
+    ..Filter::new(MESH, TO_CURVES_TEXT, &Body(run))
 };
 
-const HITS: &[Choice] = &[
-    Choice::new("All of the line", "On both sides of the point."),
-    Choice::new("All of the ray", "From the point on."),
-    Choice::new("First of the ray", "The one nearest to the point."),
-];
-
-fn suggest(inputs: &[Input<'_>], defaults: &mut Defaults<'_>) {
-    if let Some(extent) = extent_of(inputs) {
-        let point = extent.centre().with_z(extent.low.z - 0.1 * extent.diagonal());
-        defaults.set("point", &point.to_array());
-    }
+params! {
+    scheme: Scheme = SCHEME;
+    point: DVec3 = Param::point(
+        "Point",
+        "A point on the line, or the origin of a ray. A point below the centre of the mesh is suggested.",
+        &[0.0, 0.0, -1e3],
+    ).suggested(|_, extent| Some(extent.centre().with_z(extent.low.z - 0.1 * extent.diagonal())));
+    direction: DVec3 = Param::direction("Direction", "The direction of the line.");
+    which: (bool, HitSelection) = Param::choice("Hits", "The intersections that are returned.", HITS);
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let (point, direction) = (values.vector("point"), values.direction("direction")?);
-    let surface = smooth::surface(inputs[0].mesh()?, values, &job.part(0.0, 0.9))?;
+choices! {
+    /// Whether the line is a ray, and which of its intersections are returned.
+    HITS: (bool, HitSelection) =
+        (false, HitSelection::All) => "All of the line", "The intersections on both sides of the point.";
+        (true, HitSelection::All) => "All of the ray", "The intersections from the point on.";
+        (true, HitSelection::First) => "First of the ray", "The intersection nearest to the point.";
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let surface = smooth::surface(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.9))?;
     job.step(0.9, "line")?;
-    let (line, which) = match values.place("which") {
-        0 => (Line::new(point, direction), HitSelection::All),
-        1 => (Line::ray(point, direction), HitSelection::All),
-        _ => (Line::ray(point, direction), HitSelection::First),
-    };
-    let hits = surface.line(&line, which)?;
+    let (is_ray, selection) = values.which;
+    let line = if is_ray { Line::ray } else { Line::new }(values.point, values.direction);
+    let hits = surface.line(&line, selection)?;
     let (mut points, mut text) = (Curves::none(), format!("{}\n", counted(hits.len(), HIT)));
     for hit in &hits {
         points.add([hit.point].into_iter(), false)?;

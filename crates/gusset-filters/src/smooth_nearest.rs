@@ -1,31 +1,33 @@
 use super::data::{Curves, Input, InputKind, Output};
-use super::filter::Filter;
-use super::param::Values;
-use super::report::Report;
-use super::report::{POINT, distances};
+use super::filter::{Body, Filter};
+use super::report::{POINT, Report, distances};
 use super::signatures::TO_CURVES_TEXT;
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
+use super::typed::{Values, params};
 use glam::DVec3;
 use gusset_base::alloc;
-use gusset_base::error::Element;
-use gusset_base::error::Result;
+use gusset_base::error::{Element, Result};
 use gusset_base::job::Job;
+use gusset_surface::Scheme;
 
 pub(super) const FILTER: Filter = Filter {
     id: "smooth_nearest",
     name: "Nearest points on a smooth surface",
     category: CATEGORY,
-    help: "Finds for each point of curves the nearest point on the smooth surface through the vertices of a quad grid, with proof, \
-           draws the segments between them, and reports their lengths.",
+    help: "Finds the nearest point on the smooth surface through the vertices of a quad grid for each point of some curves. It \
+           draws the segments between them and reports their lengths, and how many nearest points are not proven.",
     reference: REFERENCE,
-    params: &[SCHEME],
-    ..Filter::new(&[InputKind::Mesh, InputKind::Curves], TO_CURVES_TEXT, run)
+    ..Filter::new(&[InputKind::Mesh, InputKind::Curves], TO_CURVES_TEXT, &Body(run))
 };
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+params! {
+    scheme: Scheme = SCHEME;
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let given = inputs[1].curves()?;
     given.each()?;
-    let surface = smooth::surface(inputs[0].mesh()?, values, &job.part(0.0, 0.4))?;
+    let surface = smooth::surface(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.4))?;
     let queries = alloc::collect(given.points.iter().map(|&point| DVec3::from(point)))?;
     let nearest = smooth::nearest(&surface, &queries, Element::Query, &job.part(0.4, 1.0))?;
     let mut ways = Curves::none();

@@ -1,74 +1,71 @@
 use super::data::{Input, Output};
-use super::extent::extent_of;
-use super::filter::{Defaults, Filter};
-use super::param::{COORDINATES, LENGTHS, Param, Values};
+use super::filter::{Body, Filter};
 use super::signatures::{MESH, TO_CURVES_TEXT};
 use super::smooth::{self, CATEGORY, CHORD_ERROR, REFERENCE, SCHEME};
+use super::typed::{COORDINATES, LENGTHS, Param, Values, params};
 use glam::DVec3;
-use gusset_base::choice::Choice;
+use gusset_base::choices;
 use gusset_base::error::Result;
-use gusset_base::geom::aabb;
+use gusset_base::geom::{Aabb, aabb};
 use gusset_base::job::Job;
 use gusset_surface::contour::Planes;
-use gusset_surface::{Paths, Surface};
+use gusset_surface::{Paths, Scheme, Surface};
 
 pub(super) const FILTER: Filter = Filter {
     id: "smooth_sections",
     name: "Plane sections of a smooth surface",
     category: CATEGORY,
-    help: "Cuts the smooth surface through the vertices of a quad grid by parallel planes, and returns the curves in order. No curve \
-           is missed, and points lie on the surface, not on the quads.",
+    help: "Cuts the smooth surface through the vertices of a quad grid by parallel planes, and returns the curves in order. No \
+           curve is missed. Points lie on the surface, not on the quads.",
     reference: REFERENCE,
-    params: &[
-        SCHEME,
-        Param::direction("direction", "Direction").with_help("The normal of the planes."),
-        Param::choice("placement", "Planes", PLACEMENTS).with_help("The placement of the planes."),
-        Param::int("number", "Number", [1.0, 10_000.0], &[10.0]).with_help("The number of planes."),
-        Param::length("offset", "Offset", COORDINATES, &[0.0])
-            .with_help("The distance of the first plane from the origin along the direction; for given planes."),
-        Param::length("distance", "Distance", LENGTHS, &[1.0])
-            .with_help("The spacing of the planes; for given planes."),
-        CHORD_ERROR,
-    ],
-    suggest: Some(suggest),
-    ..Filter::new(MESH, TO_CURVES_TEXT, run)
+    ..Filter::new(MESH, TO_CURVES_TEXT, &Body(run))
 };
 
-const PLACEMENTS: &[Choice] = &[
-    Choice::new("Even", "Evenly over the extent of the surface."),
-    Choice::new("Given", "From the offset on, at the given spacing."),
-];
-
-/// Ten planes across the z axis, in accordance with the other defaults.
-fn suggest(inputs: &[Input<'_>], defaults: &mut Defaults<'_>) {
-    if let Some(extent) = extent_of(inputs) {
-        let height = Some(extent.size().z).filter(|&height| height > 0.0).unwrap_or(extent.diagonal());
-        defaults.set("offset", &[extent.low.z + 0.05 * height]);
-        defaults.set("distance", &[0.1 * height]);
-    }
+params! {
+    scheme: Scheme = SCHEME;
+    direction: DVec3 = Param::direction("Direction", "The normal of the planes.");
+    placement: bool = Param::choice("Planes", "The placement of the planes.", PLACEMENTS);
+    number: u32 = Param::int("Number", "The number of planes.", [1.0, 10_000.0], &[10.0]);
+    offset: f64 = Param::length(
+        "Offset",
+        "The distance of the first plane from the origin along the direction, for given planes.",
+        COORDINATES, &[0.0],
+    ).suggested(|_, extent| Some(extent.low.z + 0.05 * height(extent)));
+    distance: f64 = Param::length("Distance", "The spacing of the planes, for given planes.", LENGTHS, &[1.0])
+        .suggested(|_, extent| Some(0.1 * height(extent)));
+    chord_error: f64 = CHORD_ERROR;
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let surface = smooth::surface(inputs[0].mesh()?, values, &job.part(0.0, 0.4))?;
+choices! {
+    /// True if offset and distance are given.
+    PLACEMENTS: bool =
+        false => "Even", "Evenly over the extent of the surface.";
+        true => "Given", "From the offset on, at the given spacing.";
+}
+
+/// The extent along the z axis, the default direction, which ten planes divide by default.
+fn height(extent: &Aabb) -> f64 {
+    Some(extent.size().z).filter(|&height| height > 0.0).unwrap_or(extent.diagonal())
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let surface = smooth::surface(inputs[0].mesh()?, values.scheme, &job.part(0.0, 0.4))?;
     let paths = cut(&surface, values, &job.part(0.4, 1.0))?;
     Ok(vec![Output::Curves(smooth::polylines(&paths)?), Output::Text(smooth::summary(&paths).into())])
 }
 
-fn cut(surface: &Surface<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<Paths> {
-    let normal = values.direction("direction")?;
-    let number = values.number("number") as usize;
-    let [first, distance] = match values.place("placement") {
-        0 => evenly(surface, normal, number),
-        _ => [values.number("offset"), values.number("distance")],
-    };
+fn cut(surface: &Surface<'_>, values: &Params, job: &Job<'_>) -> Result<Paths> {
+    let (normal, number) = (values.direction, values.number as usize);
+    let [first, distance] =
+        if values.placement { [values.offset, values.distance] } else { evenly(surface, normal, number) };
     let mut offsets: Vec<f64> = (0..number).map(|k| first + k as f64 * distance).collect();
     // Where the surface has no extent, rounding makes planes equal.
     offsets.dedup();
     let planes = Planes { point: DVec3::ZERO, normal, levels: &offsets };
-    surface.section(&planes, smooth::chord(surface, values), job)
+    surface.section(&planes, smooth::chord(surface, values.chord_error), job)
 }
 
-/// The offset of the first plane and the distance of planes: half a distance is left at either end.
+/// The offset of the first plane and the spacing of planes. Half a spacing remains at each end.
 fn evenly(surface: &Surface<'_>, normal: DVec3, number: usize) -> [f64; 2] {
     let [low, high] = surface.bounds();
     let corner = |k: usize| DVec3::new([low.x, high.x][k & 1], [low.y, high.y][k >> 1 & 1], [low.z, high.z][k >> 2]);

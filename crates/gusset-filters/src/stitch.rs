@@ -1,13 +1,11 @@
 use super::data::{Input, Output};
-use super::facing_arcs::RUN_HELP;
-use super::fill_holes::{OUTWARD_HELP, cuts, turned_outwards};
-use super::filter::Filter;
-use super::param::{Param, Values};
-use super::report::{BOUNDARY_LOOP, FACE};
-use super::report::{Report, counted, short};
+use super::facing_arcs::{FACING_TOLERANCE, RUN};
+use super::fill_holes::{OUTWARD, intersections_line, turned_outwards_line};
+use super::filter::{Body, Filter};
+use super::report::{BOUNDARY_LOOP, FACE, Report, counted, short};
 use super::signatures::{MESH, TO_MESH_TEXT};
+use super::typed::{MAX_COUNT, Param, TypedParam, Values, params};
 use gusset_attributes::{KeepSplits, Origins};
-use gusset_base::choice::Choice;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::{alloc, choices};
@@ -20,105 +18,117 @@ use gusset_stitch::stitch::{
     stitch,
 };
 
-/// A bound on numbers of loops and vertices.
-const MAX_COUNT: f64 = u32::MAX as f64;
+params! {
+    loop_a: Option<u32> = loop_number("Loop of the first mesh");
+    loop_b: Option<u32> = loop_number("Loop of the second mesh");
+    meridians: Meridians = MERIDIANS;
+    orientation: Orientation = Param::choice(
+        "Opposite orientation",
+        "The treatment of a second piece of opposite orientation.",
+        Orientation::CHOICES,
+    );
+    twist: i64 = Param::signed_int(
+        "Twist",
+        "The number of vertices by which the start on the second loop is shifted from the closest pair.",
+        [-MAX_COUNT, MAX_COUNT], &[0.0],
+    );
+    extent: Extent = Param::choice("Join", "The parts of the loops that are joined.", EXTENTS);
+    run: Run = RUN;
+    tolerance: Option<f64> = FACING_TOLERANCE;
+    rows: MakeRows = ROWS;
+    row_count: u32 = ROW_COUNT;
+    cells: Cells = CELLS;
+    fairing: Fairing = FAIRING;
+    finish: Finish = FINISH;
+    intersections: Intersections =
+        Param::choice("Intersections", "The search for faces that intersect each other.", Intersections::CHOICES);
+    outward: bool = OUTWARD;
+}
 
 pub(super) const FILTER: Filter = Filter {
     id: "stitch",
     name: "Stitch two loops",
     category: "Stitching",
-    help: "Joins two boundary loops, of two meshes or of one, by a closed band of new faces, or their facing arcs by a strip. \
-           Vertices stay where they are and no face is lost.",
+    help: "Joins two boundary loops, of two meshes or of one, by a closed band of new faces. On request a strip joins only the \
+           arcs that face each other. All vertices keep their positions, and all faces stay.",
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking",
     max_inputs: 2,
     has_origins: true,
-    params: &[
-        loop_number("loop_a", "Loop of the first mesh"),
-        loop_number("loop_b", "Loop of the second mesh"),
-        Param::choice("meridians", "Meridians", Meridians::CHOICES.texts)
-            .with_help("The rule that joins vertices of one loop to vertices of the other."),
-        Param::choice("orientation", "Opposite orientation", Orientation::CHOICES.texts)
-            .with_help("The treatment of a second piece of opposite orientation."),
-        Param::int("twist", "Twist", [-MAX_COUNT, MAX_COUNT], &[0.0])
-            .with_help("The number of vertices by which the start on the second loop is shifted from the closest pair."),
-        Param::choice("extent", "Join", EXTENTS.texts).with_help("The parts of the loops that are joined."),
-        Param::choice("run", "Facing arc", Run::CHOICES.texts).with_help(RUN_HELP),
-        Param::real("tolerance", "Facing tolerance", [-1.0, 1e15], &[-1.0]).with_help(
-            "The smallest distance from the plane through its loop's centre at which a vertex faces the other loop; -1 takes \
-             the bound on rounding.",
-        ),
-        ROWS,
-        ROW_COUNT,
-        CELLS,
-        Param::choice("fairing", "Shape of the rows", Fairing::CHOICES.texts).with_help(FAIRING_HELP),
-        Param::choice("finish", "Finish", Finish::CHOICES.texts).with_help(FINISH_HELP),
-        Param::choice("intersections", "Intersections", Intersections::CHOICES.texts)
-            .with_help("The search for faces that intersect each other."),
-        Param::flag("outward", "Turn outwards").with_help(OUTWARD_HELP),
-    ],
-    ..Filter::new(MESH, TO_MESH_TEXT, run)
+    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
 };
 
-pub(super) const FINISH_HELP: &str = "What lies between the rims in the end. A blend has no rows: the rows, their shape and the kind of face are not read.";
-pub(super) const FAIRING_HELP: &str = "The positions of the new vertices.";
+/// The rule of the strip between two loops.
+pub(super) const MERIDIANS: TypedParam<Meridians> = Param::choice(
+    "Meridians",
+    "The rule that joins vertices of one loop to vertices of the other.",
+    Meridians::CHOICES,
+);
+
+/// The shape of the rows of a strip.
+pub(super) const FAIRING: TypedParam<Fairing> =
+    Param::choice("Shape of the rows", "The positions of the new vertices.", Fairing::CHOICES);
+
+/// The surface between two loops.
+pub(super) const FINISH: TypedParam<Finish> = Param::choice(
+    "Finish",
+    "The surface between the rims. A blend ignores the rows, their shape and the kind of face.",
+    Finish::CHOICES,
+);
 
 choices! {
     EXTENTS: Extent =
-        Extent::WholeLoops => "Whole loops", "All of both, by a closed band.";
+        Extent::WholeLoops => "Whole loops", "Both loops as a whole, by a closed band.";
         Extent::OpenArcs => "Facing arcs", "The vertices that face the other loop, as in the paper.";
         Extent::Auto => "Automatic", "Whole loops if they face each other squarely, otherwise facing arcs.";
 }
 
-/// The rows and the faces of a strip, of polylines too.
-pub(super) const ROWS: Param = Param::choice(
-    "rows",
-    "Rows",
-    &[
-        Choice::new("None", "Every meridian is one edge."),
-        Choice::new("By mean edge", "New edges are about as long as the mean edge of both sides."),
-        Choice::new("Given number", "The number of rows below."),
-    ],
-)
-.with_help("The rows of new vertices between the rims.");
-pub(super) const ROW_COUNT: Param = Param::int("row_count", "Number of rows", [0.0, 10_000.0], &[1.0])
-    .with_help("The number of rows of new vertices, if given.");
-pub(super) const CELLS: Param =
-    Param::choice("cells", "Faces", Cells::CHOICES.texts).with_help("The faces of the strip.");
+/// The rows of a strip for a given number of rows.
+pub(super) type MakeRows = fn(u32) -> Rows;
 
-/// What [`ROWS`] and [`ROW_COUNT`] say.
-pub(super) fn rows(values: &Values<'_>) -> Rows {
-    match values.place("rows") {
-        0 => Rows::None,
-        1 => Rows::MeanEdge,
-        _ => Rows::Count(values.number("row_count") as u32),
-    }
+choices! {
+    ROW_RULES: MakeRows =
+        |_| Rows::None => "None", "Every meridian is one edge.";
+        |_| Rows::MeanEdge => "By mean edge", "New edges are about as long as the mean edge of both sides.";
+        Rows::Count => "Given number", "The number of rows below.";
 }
 
-const fn loop_number(id: &'static str, label: &'static str) -> Param {
-    Param::int(id, label, [-1.0, MAX_COUNT], &[-1.0]).with_help(
-        "The number of the loop in the output of the filter boundary_loops; -1 takes the nearest pair of loops.",
-    )
+/// The rule for the rows of a strip.
+pub(super) const ROWS: TypedParam<MakeRows> =
+    Param::choice("Rows", "The rows of new vertices between the rims.", ROW_RULES);
+
+/// The number of rows of a strip, if it is given.
+pub(super) const ROW_COUNT: TypedParam<u32> =
+    Param::int("Number of rows", "The number of rows of new vertices, if it is given.", [0.0, 10_000.0], &[1.0]);
+
+/// The faces of a strip.
+pub(super) const CELLS: TypedParam<Cells> = Param::choice("Faces", "The faces of the strip.", Cells::CHOICES);
+
+/// The number of a boundary loop; `None` takes the nearest pair of loops.
+const fn loop_number(label: &'static str) -> TypedParam<Option<u32>> {
+    const HELP: &str =
+        "The number of the loop in the output of the filter boundary_loops. -1 takes the nearest pair of loops.";
+    Param::int(label, HELP, [-1.0, MAX_COUNT], &[-1.0]).unless_negative()
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let a = inputs[0].mesh()?;
     let b = inputs.get(1).map(Input::mesh).transpose()?;
-    let loop_a = loop_by_number(a, values, "loop_a", &job.part(0.0, 0.1))?;
-    let loop_b = loop_by_number(b.unwrap_or(a), values, "loop_b", &job.part(0.1, 0.2))?;
+    let loop_a = loop_by_number(a, ("loop_a", values.loop_a), &job.part(0.0, 0.1))?;
+    let loop_b = loop_by_number(b.unwrap_or(a), ("loop_b", values.loop_b), &job.part(0.1, 0.2))?;
     let request = Request { a, loop_a: loop_a.as_deref(), b, loop_b: loop_b.as_deref() };
     let options = Options {
-        meridians: values.choice("meridians", Meridians::CHOICES),
-        orientation: values.choice("orientation", Orientation::CHOICES),
-        twist: values.number("twist") as i64,
-        extent: values.choice("extent", EXTENTS),
-        run: values.choice("run", Run::CHOICES),
-        tolerance: Some(values.number("tolerance")).filter(|&t| t >= 0.0),
-        rows: rows(values),
-        cells: values.choice("cells", Cells::CHOICES),
-        fairing: values.choice("fairing", Fairing::CHOICES),
-        finish: values.choice("finish", Finish::CHOICES),
-        intersections: values.choice("intersections", Intersections::CHOICES),
-        outward: if values.is_set("outward") { Outward::Closed } else { Outward::Keep },
+        meridians: values.meridians,
+        orientation: values.orientation,
+        twist: values.twist,
+        extent: values.extent,
+        run: values.run,
+        tolerance: values.tolerance,
+        rows: (values.rows)(values.row_count),
+        cells: values.cells,
+        fairing: values.fairing,
+        finish: values.finish,
+        intersections: values.intersections,
+        outward: if values.outward { Outward::Closed } else { Outward::Keep },
         ..Options::default()
     };
     let mut done = stitch(&request, &options, &job.part(0.2, 1.0))?;
@@ -128,32 +138,29 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     Ok(vec![Output::Mesh(done.mesh, origins), Output::Text(report)])
 }
 
-/// The vertices of the loop that parameter `id` numbers; `None` for -1.
+/// The vertices of a loop by its number, if an option gives one.
 fn loop_by_number(
     mesh: &MeshView<'_>,
-    values: &Values<'_>,
-    id: &'static str,
+    (option, number): (&'static str, Option<u32>),
     job: &Job<'_>,
 ) -> Result<Option<Vec<u32>>> {
-    let number = values.number(id);
-    if number < 0.0 {
-        return Ok(None);
-    }
+    let Some(number) = number else { return Ok(None) };
     let boundary = boundary_loops(mesh, &boundary::Options::default(), job)?;
-    let found = boundary.get(number as usize).ok_or(Error::OptionOutOfRange { option: id, value: number })?;
+    let missing = Error::OptionOutOfRange { option, value: number.into() };
+    let found = boundary.get(number as usize).ok_or(missing)?;
     Ok(Some(alloc::copied(found.vertices)?))
 }
 
 fn report(done: &Stitch) -> Report {
     let Quality { min_angle, max_aspect, max_edge, area, loops_left, .. } = done.quality;
-    let turned = if done.turned { "the second piece was turned over\n" } else { "" };
-    let outwards = turned_outwards(&done.turned_outwards);
+    let turned = if done.turned { "the second piece was reversed\n" } else { "" };
+    let outwards = turned_outwards_line(&done.turned_outwards);
     let parts = if done.closed { "loops" } else { "arcs" };
     let left = match loops_left {
         0 => "the result is closed".to_owned(),
         n => format!("{} left", counted(n, BOUNDARY_LOOP)),
     };
-    let cuts = cuts(done.intersections.as_deref());
+    let cuts = intersections_line(done.intersections.as_deref());
     let [a, b] = done.rims.each_ref().map(Vec::len);
     let text = format!(
         "joined {parts} of {a} and {b} vertices by {}, {}\n{turned}\

@@ -1,10 +1,9 @@
 use super::data::{Input, Output};
-use super::filter::Filter;
-use super::param::{Param, Values};
-use super::report::FACE;
-use super::report::counted;
+use super::filter::{Body, Filter};
+use super::report::{FACE, counted};
 use super::signatures::{CURVES, TO_MESH_TEXT};
-use super::stitch::{CELLS, ROW_COUNT, ROWS, rows};
+use super::stitch::{CELLS, MERIDIANS, MakeRows, ROW_COUNT, ROWS};
+use super::typed::{Param, Values, params};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -15,30 +14,34 @@ pub(super) const FILTER: Filter = Filter {
     id: "strip",
     name: "Strip between two curves",
     category: "Stitching",
-    help: "Spans a strip of faces between two polylines of one direction that run side by side, both closed or both open.",
-    reference: "H. Fuchs, Z. Kedem, S. Uselton, Optimal surface reconstruction from planar contours, 1977; S. Nesterenko for the rule \
-                by index",
-    params: &[
-        Param::choice("meridians", "Meridians", Meridians::CHOICES.texts)
-            .with_help("The rule that joins points of one curve to points of the other."),
-        Param::choice("start", "First meridian", STARTS.texts)
-            .with_help("The start of the strip between closed curves; between open ones it is at their first points."),
-        Param::flag("reversed", "Reversed").with_help("Reverses the second curve."),
-        ROWS,
-        ROW_COUNT,
-        CELLS,
-    ],
-    ..Filter::new(CURVES, TO_MESH_TEXT, run)
+    help: "Spans a strip of faces between two polylines, both closed or both open, that run side by side in the same direction.",
+    reference: "H. Fuchs, Z. Kedem, S. Uselton, Optimal surface reconstruction from planar contours, 1977; S. Nesterenko for \
+                the rule by index",
+    ..Filter::new(CURVES, TO_MESH_TEXT, &Body(run))
 };
+
+params! {
+    meridians: Meridians =
+        MERIDIANS.explained("The rule that joins points of one curve to points of the other.");
+    start: Option<Start> = Param::choice(
+        "First meridian",
+        "The start of the strip between closed curves. Between open curves it starts at their first points.",
+        STARTS,
+    );
+    reversed: bool = Param::flag("Reversed", "Reverses the second curve.");
+    rows: MakeRows = ROWS;
+    row_count: u32 = ROW_COUNT;
+    cells: Cells = CELLS;
+}
 
 choices! {
     STARTS: Option<Start> =
-        Some(Start::Auto) => "Automatic", "At the best strip of those tried.";
-        Some(Start::Closest) => "Closest pair", "Between the two points nearest to each other.";
+        Some(Start::Auto) => "Automatic", "At the best of several strips.";
+        Some(Start::Closest) => "Closest pair", "Between the nearest two points.";
         None => "First points", "Between the first points.";
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     job.step(0.0, "strip")?;
     let curves = inputs[0].curves()?.each()?;
     let &[(a, closed), (b, other)] = curves.as_slice() else {
@@ -49,14 +52,14 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     }
     let a = alloc::collect(a.iter().map(|&point| DVec3::from(point)))?;
     let mut b = alloc::collect(b.iter().map(|&point| DVec3::from(point)))?;
-    if values.is_set("reversed") {
+    if values.reversed {
         b.reverse();
     }
     let options = RuledOptions {
-        meridians: values.choice("meridians", Meridians::CHOICES),
-        start: values.choice("start", STARTS),
-        rows: rows(values),
-        cells: values.choice("cells", Cells::CHOICES),
+        meridians: values.meridians,
+        start: values.start,
+        rows: (values.rows)(values.row_count),
+        cells: values.cells,
         ..RuledOptions::default()
     };
     let made = ruled(&a, &b, closed, &options, job)?;

@@ -1,10 +1,8 @@
 use super::data::{Input, Output};
-use super::filter::Filter;
-use super::param::{Param, ParamKind, Values};
-use super::report::{FACE, VERTEX};
-use super::report::{Report, counted, push_line};
+use super::filter::{Body, Filter};
+use super::report::{FACE, Report, VERTEX, counted, push_line};
 use super::signatures::{MESH, TO_MESH_TEXT};
-use super::weld::TOLERANCES;
+use super::typed::{MAX_COUNT, NON_NEGATIVE_OR_AUTO, Param, Values, params};
 use gusset_attributes::{KeepSplits, Origins};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -17,31 +15,39 @@ pub(super) const FILTER: Filter = Filter {
     id: "trim",
     name: "Trim overlaps",
     category: "Stitching",
-    help: "Keeps of each overlap of pieces, which must lie where they belong, one piece, and leaves a narrow gap to the others. The \
-           result is one mesh of the faces that are kept, side by side and not joined. No vertex moves and no face is cut. The \
-           report counts pieces from 0.",
+    help: "Keeps one piece of each overlap, and leaves a narrow gap to the other pieces. The pieces must be in their final \
+           places. The result is one mesh of all kept faces, not joined. No vertex moves, and no face is cut. The report counts \
+           pieces from 0.",
     reference: "G. Turk, M. Levoy, Zippered polygon meshes from range images (1994), for the idea",
     max_inputs: 1 << 16,
     has_origins: true,
-    params: &[
-        Param::length("max_distance", "Greatest distance", TOLERANCES, &[-1.0]).with_help(
-            "Surfaces that are no farther apart are one; 0 takes those that touch, -1 takes four mean edges of the coarser \
-             piece.",
-        ),
-        Param::new(ParamKind::Angle, "max_angle", "Greatest angle", [0.001, 1.57], &[FRAC_PI_3])
-            .with_help("Surfaces whose normals differ by more are two."),
-        Param::int("min_faces", "Fewest faces", [1.0, u32::MAX as f64], &[30.0])
-            .with_help("Parts of fewer faces go, but for whole components of the pieces."),
-    ],
-    ..Filter::new(MESH, TO_MESH_TEXT, run)
+    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
 };
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+params! {
+    max_distance: Option<f64> = Param::length(
+        "Greatest distance",
+        "Surfaces at most this far apart overlap. 0 takes surfaces that touch; -1 takes four mean edges of the coarser piece.",
+        NON_NEGATIVE_OR_AUTO, &[-1.0],
+    ).unless_negative();
+    max_angle: f64 = Param::angle(
+        "Greatest angle",
+        "Surfaces whose normals differ by a larger angle do not overlap.",
+        [0.001, 1.57], &[FRAC_PI_3],
+    );
+    min_faces: u32 = Param::int(
+        "Fewest faces",
+        "Remaining parts of fewer faces are dropped, unless they are whole components of a piece.",
+        [1.0, MAX_COUNT], &[30.0],
+    );
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let pieces = alloc::try_collect(inputs.iter().map(|input| input.mesh().copied()))?;
     let options = Options {
-        max_distance: Some(values.number("max_distance")).filter(|&distance| distance >= 0.0),
-        max_angle: values.number("max_angle"),
-        min_faces: values.number("min_faces") as u32,
+        max_distance: values.max_distance,
+        max_angle: values.max_angle,
+        min_faces: values.min_faces,
         ..Options::default()
     };
     let trimmed = trim(&pieces, &options, &job.part(0.0, 0.9))?;
@@ -59,10 +65,10 @@ fn report(pieces: &[MeshView<'_>], trimmed: &Trimmed) -> Report {
     for (k, (piece, (kept, &covered))) in pieces.iter().zip(trimmed.kept.iter().zip(&trimmed.covered)).enumerate() {
         let verb = if covered == 1 { "lies" } else { "lie" };
         let (faces, vertices) = (counted(piece.faces().len(), FACE), counted(covered, VERTEX));
-        push_line!(text, "piece {k}: {} of {faces} kept, {vertices} {verb} on others", kept.len());
+        push_line!(text, "piece {k}: {} of {faces} kept, {vertices} {verb} on other pieces", kept.len());
     }
     if trimmed.crossings > 0 {
-        push_line!(text, "{} cut those of other pieces and went", counted(trimmed.crossings, FACE));
+        push_line!(text, "{} dropped that intersected other pieces", counted(trimmed.crossings, FACE));
     }
     let values = [
         ("kept_faces", kept as f64),

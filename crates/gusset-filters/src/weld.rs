@@ -1,9 +1,8 @@
 use super::data::{Input, Output};
-use super::filter::Filter;
-use super::param::{Param, Values};
-use super::report::{BOUNDARY_EDGE, EDGE, FACE, VERTEX};
-use super::report::{Report, counted};
+use super::filter::{Body, Filter};
+use super::report::{BOUNDARY_EDGE, EDGE, FACE, Report, VERTEX, counted};
 use super::signatures::{MESH, TO_MESH_TEXT};
+use super::typed::{NON_NEGATIVE_OR_AUTO, Param, TypedParam, Values, params};
 use gusset_attributes::{KeepSplits, Origins};
 use gusset_base::choices;
 use gusset_base::error::Result;
@@ -14,59 +13,53 @@ pub(super) const FILTER: Filter = Filter {
     id: "weld",
     name: "Weld vertices",
     category: "Repair",
-    help: "Merges coincident vertices. Coincident borders are welded edge to edge, whatever the orientation of their faces; or all \
-           coincident vertices are merged, as a triangle soup requires.",
-    reference: "Greedy clustering in the order of the vertices; edges are sewn two by two",
+    help: "Merges coincident vertices. Either coincident borders are welded edge to edge, whatever the orientation of their \
+           faces, or all coincident vertices are merged, as a triangle soup requires.",
+    reference: "Greedy clustering in the order of the vertices; edges are sewn in pairs",
     replaces: true,
     has_origins: true,
-    params: &[
-        Param::choice("vertices", "Weld", Vertices::CHOICES.texts).with_help("The vertices that are welded."),
-        Param::length("tolerance", "Tolerance", TOLERANCES, &[-1.0]).with_help(
-            "The largest distance of coincident vertices, in the unit of the positions; 0 takes equal positions, -1 what \
-             rounding of the positions can do, as their type and the digits that they show tell.",
-        ),
-        Param::choice("collapse", "Short edges", COLLAPSE.texts)
-            .with_help("The treatment of coincident corners of one face."),
-        UNUSED_PARAM,
-    ],
-    ..Filter::new(MESH, TO_MESH_TEXT, run)
+    ..Filter::new(MESH, TO_MESH_TEXT, &Body(run))
 };
 
-/// Lengths from 0 on, and -1 for the one that the data call for.
-pub(super) const TOLERANCES: [f64; 2] = [-1.0, 1e15];
-
-/// What becomes of vertices that no face uses.
-pub(super) const UNUSED_PARAM: Param =
-    Param::choice("unused", "Unused vertices", UNUSED.texts).with_help("The treatment of vertices that no face uses.");
-
-/// True if vertices that no face uses are left out.
-pub(super) fn removes_unused(values: &Values<'_>) -> bool {
-    values.choice("unused", UNUSED)
+params! {
+    vertices: Vertices = Param::choice("Weld", "The vertices that are welded.", Vertices::CHOICES);
+    tolerance: Option<f64> = TOLERANCE;
+    collapse: bool = Param::choice("Short edges", "The treatment of coincident corners of one face.", COLLAPSE);
+    unused: bool = UNUSED;
 }
 
-/// The tolerance given, if one is.
-pub(super) fn tolerance(values: &Values<'_>) -> Option<f64> {
-    Some(values.number("tolerance")).filter(|&tolerance| tolerance >= 0.0)
-}
+/// The distance up to which vertices coincide; `None` takes the rounding of the positions.
+pub(super) const TOLERANCE: TypedParam<Option<f64>> = Param::length(
+    "Tolerance",
+    "The largest distance at which vertices coincide, or a vertex and an edge if borders are sewn. 0 takes equal positions; \
+     -1 takes the rounding of the positions, judged by their type and digits.",
+    NON_NEGATIVE_OR_AUTO,
+    &[-1.0],
+)
+.unless_negative();
+
+/// True if vertices that no face uses are dropped.
+pub(super) const UNUSED: TypedParam<bool> =
+    Param::choice("Unused vertices", "The treatment of vertices that no face uses.", UNUSED_VERTICES);
 
 choices! {
     COLLAPSE: bool =
         false => "Keep", "They stay apart.";
-        true => "Collapse", "They are merged, and a face of fewer than three corners is dropped.";
+        true => "Collapse", "They are merged. A face that has fewer than three corners left is dropped.";
 }
 
 choices! {
-    UNUSED: bool =
+    UNUSED_VERTICES: bool =
         false => "Keep", "They stay.";
         true => "Remove", "They are dropped.";
 }
 
-fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
     let options = Options {
-        vertices: values.choice("vertices", Vertices::CHOICES),
-        tolerance: tolerance(values),
-        collapse: values.choice("collapse", COLLAPSE),
-        remove_unused: removes_unused(values),
+        vertices: values.vertices,
+        tolerance: values.tolerance,
+        collapse: values.collapse,
+        remove_unused: values.unused,
     };
     let mut done = weld(inputs[0].mesh()?, &options, job)?;
     done.keep_splits(&[inputs[0].mesh()?], &job.part(1.0, 1.0))?;
@@ -77,11 +70,11 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
 
 fn report(done: &Weld) -> Report {
     let [edges, vertices] = [done.left_edges.len(), done.left_vertices.len()];
-    // Edges that lie on no other are boundary edges of the result as well, which `check` counts.
+    // Boundary edges that coincide with no other edge are left out; the filter `check` counts them.
     let left = match (edges, vertices) {
-        (0, 0) => "no coincident borders are left apart".to_owned(),
+        (0, 0) => "all coincident borders are welded".to_owned(),
         _ => format!(
-            "left apart: {} and {} that lie on others",
+            "not welded: {} and {} that coincide with others",
             counted(edges, BOUNDARY_EDGE),
             counted(vertices, VERTEX)
         ),
