@@ -39,8 +39,11 @@ pub struct Filter {
     pub(super) body: &'static dyn Run,
 }
 
-/// The body of a filter: a function of the inputs and of the values of its parameters.
-pub(super) struct Body<P>(pub(super) fn(&[Input<'_>], &Values<P>, &Job<'_>) -> Result<Vec<Output>>);
+/// A function of the inputs of a filter and of the values of its parameters.
+type Function<P> = fn(&[Input<'_>], &Values<P>, &Job<'_>) -> Result<Vec<Output>>;
+
+/// The body of a filter.
+pub(super) struct Body<P>(pub(super) Function<P>);
 
 /// A body without the type of its parameters.
 pub(super) trait Run: Sync {

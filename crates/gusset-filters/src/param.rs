@@ -1,7 +1,6 @@
 //! Parameters as hosts see them: kinds, ranges, defaults, suggestions, and the validation of values.
 //!
-//! Filters declare parameters by [`params!`](super::typed::params), which also gives the values
-//! their types.
+//! Filters declare parameters by `params!`, which also gives the values their types.
 
 use super::data::Input;
 use super::extent::rounded;

@@ -205,7 +205,7 @@ impl Param {
     }
 
     /// A choice, by default the first.
-    pub(super) const fn choice<T>(label: &'static str, help: &'static str, choices: Choices<T>) -> TypedParam<T> {
+    pub(super) const fn choice<T: Copy>(label: &'static str, help: &'static str, choices: Choices<T>) -> TypedParam<T> {
         let range = [0.0, (choices.texts.len() - 1) as f64];
         let param = Param::described(ParamKind::Choice, [label, help], range, &[0.0]);
         let param = Param { choices: choices.texts, ..param };
