@@ -1,4 +1,4 @@
-// What goes wrong: a status of the library, with the element at fault.
+// A failure: a status of the library, with the offending element.
 
 import { constants, elements, statuses } from "./tables.js";
 
@@ -17,7 +17,7 @@ export class GussetError extends Error {
   }
 }
 
-/** What was given cannot be used: its first offending element is named. */
+/** The input cannot be used; names its first offending element. */
 export class InputError extends GussetError {}
 
 /** Memory ran out. */
@@ -26,7 +26,7 @@ export class OutOfMemory extends GussetError {}
 /** The call was cancelled. */
 export class Cancelled extends GussetError {}
 
-/** The library stopped: a mistake of its own. What was loaded is of no use any more. */
+/** The library stopped: a mistake of its own. The loaded module cannot be used any more. */
 export class Stopped extends GussetError {}
 
 /** The error for a status. */

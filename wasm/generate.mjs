@@ -1,7 +1,8 @@
 // Writes tables.js, layouts of structs, constants and words, from the description of the interface (`make build/interface.json`); and gusset.d.ts,
 // the types, from types.d.ts, those words and the plugin's table.
 //
-//     node generate.mjs tables | types [--check]      types: where gusset.wasm is; --check says whether the file is what it would write
+// node generate.mjs tables | types [--check] types: where gusset.wasm is; --check compares the file with the text
+// that it would write
 
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 

@@ -9,11 +9,12 @@ export type Indices = Uint32Array | ArrayLike<number>;
 /** Faces: the corners of triangles; or face f has the corners `offsets[f]` to `offsets[f + 1] - 1`; or the corners of each. */
 export type Faces = Indices | { offsets: Indices; corners: Indices } | readonly (readonly number[])[];
 
-/** What is taken for a mesh. `merge`: for each vertex the one that it is one with. */
+/** A mesh, or arrays that are converted to one. `merge`: for each vertex the one that it is one with. */
 export type MeshLike = Mesh | { positions: Coordinates; faces: Faces; merge?: Indices | null };
 
 /**
- * What is taken for polylines: a list of typed arrays or of lists of points is a list of curves, a list of x, y, z one curve. `closed`, of
+ * Polylines, or arrays that are converted to them. A list of typed arrays or of lists of points is a list of curves;
+ * a list of x, y, z is one curve. `closed`, of
  * all or of each, says whether they go on to their first points.
  */
 export type CurvesLike = Curves | { points: Coordinates | readonly Coordinates[]; offsets?: Indices | null; closed?: boolean | ArrayLike<number | boolean> } | readonly Coordinates[];
@@ -57,7 +58,7 @@ export class GussetError extends Error {
   /** The number of the status, as in gusset.h. */
   readonly status: number;
   readonly code: ErrorCode;
-  /** What `index` counts. */
+  /** The kind of element of `index`. */
   readonly element: ElementKind;
   /** The first element at fault, or null. */
   readonly index: number | null;
@@ -68,20 +69,20 @@ export class GussetError extends Error {
   /** The number of the parameter that is out of range, or null. */
   readonly param: number | null;
 }
-/** What was given cannot be used: its first offending element is named. */
+/** The input cannot be used; names its first offending element. */
 export class InputError extends GussetError {}
 /** Memory ran out. */
 export class OutOfMemory extends GussetError {}
 /** The call was cancelled. */
 export class Cancelled extends GussetError {}
-/** The library stopped, by a mistake of its own: what was loaded is of no use any more. */
+/** The library stopped by a bug of its own: the loaded module cannot be used any more. */
 export class Stopped extends GussetError {}
 
 /** Options of each run, beside its parameters. */
 export interface RunOptions {
   /** Called now and then during long work, with the part done, 0 to 1. Returning false cancels, and so does throwing, which is passed on. */
   progress?: (fraction: number, stage: string) => boolean | void;
-  /** Called with remarks that are no failures. */
+  /** Receives remarks that are not failures. */
   log?: (message: string) => void;
   /** Whether outputs tell where their elements come from, for `carry`. */
   origins?: boolean;
@@ -97,7 +98,7 @@ export class Outputs<Made = Mesh | Curves | Report> implements Iterable<Made> {
   [Symbol.iterator](): Iterator<Made>;
   /** Whether an output tells where its elements come from. */
   hasOrigins(index?: number): boolean;
-  /** The values of the elements of an output, of those of the inputs': one array for each input, or null. */
+  /** Values of the elements of an output, from values of the inputs: one array for each input, or null. */
   carry<V extends Values>(
     values: readonly (V | null)[],
     options?: {
@@ -137,7 +138,7 @@ export interface Filter<Inputs extends readonly unknown[] = readonly (MeshLike |
   readonly category: string;
   readonly help: string;
   readonly reference: string;
-  /** The last is that of all further inputs. */
+  /** The last holds for all further inputs. */
   readonly inputKinds: readonly Kind[];
   readonly outputKinds: readonly Kind[];
   readonly minInputs: number;
@@ -151,11 +152,11 @@ export interface Gusset {
   /** "major.minor.patch". */
   readonly version: string;
   readonly filters: Filters;
-  /** What the library holds in memory; it grows, and never shrinks. */
+  /** Bytes of the library's memory, which grows and never shrinks. */
   readonly memory: WebAssembly.Memory;
 }
 
-/** Loads the library: from gusset.wasm beside this file, or from what is given. */
+/** Loads the library from gusset.wasm beside this file, or from the argument. */
 export function load(source?: string | URL | BufferSource | WebAssembly.Module | Response | PromiseLike<Response>): Promise<Gusset>;
 
 /** The name of a status. */

@@ -34,10 +34,10 @@ function paramOf(library, pointer) {
   };
 }
 
-/** The values of the parameters: those that suit the inputs, but for those that are given. */
+/** The values of the parameters: given values, and suggestions for the others. */
 function valuesOf(library, room, filter, struct, inputs, count, params) {
   const values = room.cleared(8 * Math.max(struct.value_count, 1));
-  // After bad inputs these are the plain defaults; run then says what is wrong.
+  // For invalid inputs these are the plain defaults; run then reports the error.
   library.call(struct.suggest, struct.pointer, inputs, count, values);
   for (const [name, value] of Object.entries(params)) {
     if (OPTIONS.includes(name) || value === undefined) {

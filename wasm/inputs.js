@@ -16,7 +16,7 @@ function coordinates(values, what) {
   }
   const packed = new Float64Array(3 * values.length);
   for (let k = 0; k < values.length; k++) {
-    // Of points with two numbers three would pass for two with three.
+    // Three points of two numbers could be mistaken for two points of three.
     if (values[k]?.length !== 3) {
       throw new TypeError(`${what}: number ${k} is not x, y, z`);
     }
@@ -66,7 +66,7 @@ export class Mesh {
     this.merge = merge === null || merge === undefined ? null : indices(merge, "merge");
   }
 
-  /** Its arrays, as they are. */
+  /** Its arrays, unchanged. */
   static of(positions, offsets, corners) {
     return Object.assign(Object.create(Mesh.prototype), { positions, faces: { offsets, corners }, merge: null });
   }
@@ -106,7 +106,7 @@ export class Curves {
     }
   }
 
-  /** Its arrays, as they are. */
+  /** Its arrays, unchanged. */
   static of(points, offsets, closed) {
     return Object.assign(Object.create(Curves.prototype), { points, offsets, closed });
   }
@@ -184,7 +184,7 @@ export function given(library, room, inputs, kinds) {
   return { first, taken };
 }
 
-/** The library is told where corners begin, and trusts that the last of them is there. */
+/** The library gets the start of the corners, and trusts that the last one exists. */
 function checkOffsets(offsets, length, what) {
   if (offsets.length === 0 || offsets[offsets.length - 1] > length) {
     throw new TypeError(`offsets end at ${offsets[offsets.length - 1]}, and there are ${length} ${what}`);

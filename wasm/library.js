@@ -6,7 +6,7 @@ import { constants, structs } from "./tables.js";
 const utf8 = new TextDecoder();
 
 /**
- * A module that hands on one imported function. The functions that it exports are WebAssembly's, which alone may stand in tables.
+ * A module that hands on one imported function. Only functions exported by WebAssembly may be in function tables.
  * parameters, results: of the types 0x7f (i32) and 0x7c (f64).
  */
 function handedOn(parameters, results, called) {
@@ -59,7 +59,7 @@ export class Library {
     }
   }
 
-  /** A call into the library: after a trap there is no telling what its memory holds. */
+  /** A call into the library. After a trap, the content of its memory is unknown. */
   guarded(call) {
     if (this.stopped) {
       throw errorFor(constants.ERROR_PANIC, "the library has stopped: load it again");
@@ -95,7 +95,7 @@ export class Library {
     try {
       return pointer ? new kind(this.memory.buffer, pointer, length).slice() : new kind(length);
     } catch (thrown) {
-      // The host has no memory, or no arrays so long.
+      // The host lacks memory, or arrays of this length.
       throw thrown instanceof RangeError ? errorFor(constants.PLUGIN_OUT_OF_MEMORY, `there is no memory for an array of ${length} numbers`) : thrown;
     }
   }
@@ -130,7 +130,7 @@ export class Library {
   withRoom(use) {
     const blocks = [], library = this;
     const allocate = (size) => {
-      // What has more bytes than addresses would be asked for modulo 2^32.
+      // A size beyond the address space would wrap modulo 2^32.
       const block = size && size < 2 ** 32 && this.guarded(() => this.exports.gusset_memory_allocate(size)) >>> 0;
       if (size && !block) {
         throw errorFor(constants.PLUGIN_OUT_OF_MEMORY, `there is no memory for ${size} bytes`);

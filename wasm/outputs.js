@@ -1,4 +1,4 @@
-// What a filter gave.
+// The outputs of a filter.
 
 import { errorFor } from "./errors.js";
 import { Curves, Mesh } from "./inputs.js";
@@ -21,7 +21,7 @@ const types = new Map([
   [Uint16Array, constants.PLUGIN_VALUE_U16], [Uint32Array, constants.PLUGIN_VALUE_U32],
 ]);
 
-// What is forgotten without free() is given back when the engine finds it.
+// Without free(), the engine releases an object when it collects it.
 const forgotten = new FinalizationRegistry(({ library, handle }) => library.stopped || library.call(library.table.output_free, handle));
 
 /** The failure that a struct tells of. */
@@ -45,7 +45,8 @@ function counts(mesh) {
   return { vertices: mesh.vertexCount, corners: mesh.faces.corners.length, faces: mesh.faceCount };
 }
 
-/** A sequence of meshes, curves and reports; `carry` takes along what the inputs' elements have, if origins were asked for. */
+/** A sequence of meshes, curves and reports; `carry` carries attributes of the inputs' elements over, if origins were
+ *  requested. */
 export class Outputs {
   #library;
   #handle;
@@ -128,7 +129,7 @@ export class Outputs {
     return this.#library.withRoom((room) => this.#library.call(this.#attributes(room).has_origins, this.#handle, index) === 1);
   }
 
-  /** The values of the elements of an output, of those of the inputs': one array for each input, or null. */
+  /** Values of the elements of an output, from values of the inputs: one array for each input, or null. */
   carry(values, { domain = "vertices", rule = "linear", index = 0, maxInfluences = 0, components = null } = {}) {
     const library = this.#library, some = values.find((one) => one !== null && one !== undefined);
     const type = types.get(some?.constructor);

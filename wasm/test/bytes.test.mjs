@@ -1,4 +1,4 @@
-// What comes out is what the native library gives, byte for byte.
+// Results equal the results of the native library byte for byte.
 
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";

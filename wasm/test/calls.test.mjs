@@ -143,7 +143,7 @@ test("memory is given back", () => {
 });
 
 test("without memory there is no room for hosts, and again when there is", async () => {
-  // Of the library itself, as no filter tells what else fails.
+  // Calls the library itself, because no filter reports other failures.
   const instance = await WebAssembly.instantiate(await WebAssembly.compile(await readFile(file)), {});
   const library = new Library(instance), blocks = [];
   library.withRoom(({ allocate }) => {
@@ -151,7 +151,7 @@ test("without memory there is no room for hosts, and again when there is", async
       assert.throws(() => { for (;;) blocks.push(allocate(size)); }, OutOfMemory);
     }
     assert.throws(() => allocate(2 ** 32 + 16), OutOfMemory);
-    // What is set aside for calls under way is not given to hosts.
+    // Memory reserved for running calls is not given to hosts.
     assert.ok(blocks.every((block) => block >= instance.exports.__heap_base.value));
   });
   library.withRoom(({ allocate }) => allocate(2 ** 30));

@@ -1,4 +1,4 @@
-// What is run by both: each filter of the table on the shapes of python/tests/test_filters.py, and some more.
+// The jobs for both libraries: each filter of the table on the shapes of python/tests/test_filters.py, and some more.
 
 import { Curves, Mesh } from "../gusset.js";
 import { cap, part, rings, sheet, tube } from "./shapes.mjs";
@@ -50,7 +50,7 @@ const MORE = [
   ["fill_holes", [cap(1, 8, 30, { ripple: 0.2, end: 2.5 })], { inside: "refined_and_fair", continuity: "curvature" }],
   ["weld", [sheet(40, 50)], { vertices: "all_vertices", tolerance: 0.03 }],
   ["align", [cap(1, 12, 40, { ripple: 0.1 }), cap(1, 10, 37, { ripple: 0.1, end: 1.8 })]],
-  // What turns pieces must not depend on functions of the system.
+  // The rotation of pieces must not depend on functions of the system.
   ...Array.from({ length: 20 }, (_, k) => ["align", [cap(1, 10, 36, { ripple: 0.05 + 0.005 * k, end: 1.4 + 0.04 * k }), moved(cap(1, 9, 31, { ripple: 0.15 - 0.005 * k, end: 2.2 - 0.04 * k }), 0.015 * k)], { start: "principal_axes" }]),
   ["trim", [cap(1, 12, 40, { ripple: 0.1 }), cap(1, 10, 37, { ripple: 0.1, end: 1.8 })]],
   ["develop", [cap(1, 12, 40, { ripple: 0.1 })]],

@@ -131,7 +131,7 @@ int main(void) {
             inputs[k].view = read_input(inputs[k].kind);
         }
         double *values = calloc(filter->value_count + 1, sizeof *values);
-        /* What it returns run says again. */
+        /* run returns its result again. */
         (void)filter->suggest(filter, inputs, count, values);
         for (uint32_t given = number(); given > 0; given--) {
             uint32_t place = number();

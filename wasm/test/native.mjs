@@ -97,7 +97,7 @@ function answer(from) {
   return found;
 }
 
-/** What the native library answers to jobs: each a filter, inputs that are meshes and curves, and parameters. */
+/** The answers of the native library to jobs. A job has a filter, meshes and curves as inputs, and parameters. */
 export function natively(jobs) {
   const to = new Writer();
   jobs.forEach((job) => write(to, job));

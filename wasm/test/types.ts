@@ -1,4 +1,5 @@
-// What a compiler of TypeScript must take, and what it must refuse: `tsc --noEmit --strict --target es2022 --module nodenext types.ts`.
+// Code that a TypeScript compiler must accept or refuse: `tsc --noEmit --strict --target es2022 --module nodenext
+// types.ts`.
 
 import { Curves, load, Mesh, Outputs, Report, InputError } from "../gusset.js";
 
@@ -20,13 +21,13 @@ const outputs: Outputs = filters.stitch.run([mesh, mesh], { origins: true });
 const colours: Uint8Array = outputs.carry([new Uint8Array(9), null], { rule: "linear" });
 const at = (error: unknown) => (error instanceof InputError && error.element === "vertex" ? error.index : null);
 
-// @ts-expect-error: there is no such parameter
+// @ts-expect-error: the parameter does not exist
 filters.weld(mesh, { tolerances: 1 });
-// @ts-expect-error: nor such a choice
+// @ts-expect-error: the choice does not exist
 filters.weld(mesh, { vertices: "some" });
-// @ts-expect-error: nor such a rule
+// @ts-expect-error: the rule does not exist
 outputs.carry([new Uint8Array(9), null], { rule: "nearst" });
-// @ts-expect-error: nor such an element
+// @ts-expect-error: the element does not exist
 const wrong = (error: InputError) => error.element === "vertices";
 // @ts-expect-error: there is a mesh too many
 filters.stitch(mesh, mesh, mesh);

@@ -7,7 +7,8 @@
 //! | tag | of | content |
 //! |---|---|---|
 //! | `@param name text` | functions | shape, unit and range of a parameter |
-//! | `@errors A (when), as gusset_f, B` | functions, structs | statuses without `GUSSET_ERROR_`; `as`: those of another function or struct |
+//! | `@errors A (when), as gusset_f, B` | functions, structs | statuses without `GUSSET_ERROR_`;
+//! `as`: the errors of another function or struct |
 //! | `@return text` | functions without a status | the result |
 //! | `@complexity text` | functions | time and memory |
 //! | `@threads text` | functions | which threads may call it |
@@ -53,7 +54,7 @@ pub struct Comment {
     /// Names and texts of parameters.
     #[serde(skip)]
     pub params: Vec<(String, String)>,
-    /// What a function returns besides `GUSSET_OK` and the errors of every function.
+    /// The errors of a function besides the errors of every function.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub errors: Vec<Cause>,
     /// All other tags with their contents, in their order.
@@ -136,9 +137,10 @@ impl Comment {
 
 /// The field that a size of `@shape` refers to.
 ///
-/// A size is a number, a field of the struct, a field plus or divided by a number, or `*`: whatever
-/// the number of elements leaves. A field that is an array stands for its length; a field of several
-/// numbers has one for each of several arrays. Options may refer to a parameter of their function.
+/// A size is a number, a field of the struct, a field plus or divided by a number, or `*`, the size
+/// that follows from the number of elements. The name of an array means its length; a field of
+/// several numbers has one for each of several arrays. Options may refer to a parameter of their
+/// function.
 ///
 /// # Errors
 ///

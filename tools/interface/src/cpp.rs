@@ -3,7 +3,7 @@
 use crate::source::{Kind, Source};
 use std::fmt::Write;
 
-/// Words that C++ keeps for itself, and what the enums say instead.
+/// Keywords of C++, and the words of the enums in their place.
 const KEYWORDS: [(&str, &str); 1] = [("auto", "automatic")];
 /// Columns of a header.
 const WIDTH: usize = 120;

@@ -11,7 +11,7 @@
 //! | a pointer to a handle, a struct | the same |
 //!
 //! A struct of other inputs has its own struct of C++ for the fields with `@option`; its conversion leaves all else 0.
-//! A neighbour that an optional member decides alone is no member: a `@flag`, or a choice of two.
+//! A `@flag` or a choice of two values that an optional member decides alone is not a member.
 
 use crate::Generated;
 use crate::comment::Comment;
@@ -22,7 +22,7 @@ use std::fmt::Write;
 
 const SUFFIX: &str = "_options";
 
-/// What a field becomes.
+/// The member of a field.
 enum Member<'a> {
     Flag,
     Choice,
@@ -110,7 +110,7 @@ impl<'a> Writer<'a> {
         self.sources.iter().flat_map(|source| &source.items).find(|item| item.name == name)
     }
 
-    /// What a field becomes; none if it is no member of its own.
+    /// The member of a field; none if the field has no own member.
     fn member(&self, field: &'a Field, fields: &'a [Field]) -> Result<Option<Member<'a>>, String> {
         if fields.iter().any(is_tagged) && !is_tagged(field)
             || ["struct_size", "reserved"].contains(&field.name.as_str())

@@ -4,7 +4,7 @@ use crate::comment::{Cause, Comment};
 use crate::source::{Field, Item, Kind, Source, Type};
 use serde_json::{Map, Value, json};
 
-/// Describes all items of the library, and those of the plugin's table.
+/// Describes all items of the library and of the plugin's table.
 pub fn describe(library: &[Source], plugin: &[Source], version: &str) -> Value {
     let mut made = sections(library);
     made.insert("version".into(), version.into());

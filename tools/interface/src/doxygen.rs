@@ -1,5 +1,5 @@
-//! What the reference adds to the comments of the headers: groups, links, the parameters that all
-//! functions share, examples.
+//! Additions of the reference to the comments of the headers: groups, links, the parameters that
+//! all functions share, examples.
 
 use crate::comment::Comment;
 use crate::headers::Style;
@@ -75,8 +75,7 @@ impl Reference<'_> {
         self.items().any(|item| item.name == name && matches!(item.kind, Kind::Handle))
     }
 
-    /// What holds for a parameter of this name or type in every function, so that no comment need
-    /// say it.
+    /// The text for a parameter of this name or type in every function, so that comments omit it.
     pub fn usual(&self, param: &Field) -> Option<String> {
         let kind = &param.kind;
         if self.items().any(|item| item.name == kind.name && matches!(item.kind, Kind::Choice(_))) {

@@ -14,7 +14,7 @@ const WIDTH: usize = 120;
 ///
 /// # Errors
 ///
-/// What cbindgen says.
+/// The error of cbindgen.
 pub fn declarations(root: &Path, folder: &str, config: &str) -> Result<BTreeMap<String, String>, String> {
     let config = cbindgen::Config::from_file(root.join(config)).map_err(|error| error.to_string())?;
     let builder = cbindgen::Builder::new().with_src(root.join(folder).join("mod.rs")).with_config(config);
@@ -27,7 +27,7 @@ pub fn declarations(root: &Path, folder: &str, config: &str) -> Result<BTreeMap<
         .collect())
 }
 
-/// What the first header has above its declarations: how functions are exported, and the version.
+/// The text above the declarations of the first header: export macros, and the version.
 pub fn prelude(version: &str) -> String {
     let mut numbers = version.splitn(3, '.');
     let mut part = || numbers.next().unwrap_or("0");
@@ -42,7 +42,7 @@ pub fn prelude(version: &str) -> String {
     )
 }
 
-/// The name that a declaration declares; none of what is not ours.
+/// The name that a declaration declares; none for declarations of others.
 fn declared(block: &str) -> Option<String> {
     let block = block.trim();
     let ours = |word: &str| word.to_ascii_lowercase().starts_with("gusset_");
@@ -70,7 +70,7 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
 pub trait Style {
     /// The comment of an item.
     fn comment(&self, source: &Source, item: &Item) -> Comment;
-    /// What stands above the items of a file.
+    /// The heading of the items of a file.
     fn heading(&self, source: &Source) -> String;
     /// The comment of a field, if it needs one; `type_brief` is the comment of its type.
     fn field(&self, field: &Field, type_brief: Option<&str>) -> Option<Comment>;
@@ -133,7 +133,7 @@ impl Style for Plain {
 ///
 /// # Errors
 ///
-/// A sentence about what is missing, or what a header needs of a later one.
+/// A sentence about a missing declaration, or one that a header needs of a later header.
 pub fn bodies(
     sources: &[Source],
     declarations: &BTreeMap<String, String>,
@@ -225,7 +225,7 @@ fn in_order(sources: &[Source]) -> Result<Vec<&Source>, String> {
     let by_tag =
         |name: &str| items().any(|item| item.name == name && matches!(item.kind, Kind::Struct(_) | Kind::Handle));
     let home = |name: &str| sources.iter().position(|source| source.items.iter().any(|item| item.name == name));
-    // For each file the files that declare what it needs complete.
+    // For each file the files that declare the types that it needs complete.
     let needed = |source: &Source| -> Vec<usize> {
         let names = source.items.iter().flat_map(needs).filter(|&(name, pointed)| !(pointed && by_tag(name)));
         names.filter_map(|(name, _)| home(name)).collect()
@@ -263,8 +263,8 @@ fn in_order(sources: &[Source]) -> Result<Vec<&Source>, String> {
     Ok(order)
 }
 
-/// An order in which everything stands after what it needs, and otherwise as it is numbered; or one
-/// that needs itself.
+/// An order in which each file follows the files that it needs, and otherwise keeps its number; or
+/// a file that needs itself.
 pub(crate) fn sorted(needed: &[Vec<usize>]) -> Result<Vec<usize>, usize> {
     fn visit(at: usize, needed: &[Vec<usize>], open: &mut Vec<usize>, order: &mut Vec<usize>) -> Result<(), usize> {
         if order.contains(&at) {
@@ -288,7 +288,7 @@ pub(crate) fn sorted(needed: &[Vec<usize>]) -> Result<Vec<usize>, usize> {
     Ok(order)
 }
 
-/// What stands round the declarations of a header.
+/// The text around the declarations of a header.
 pub struct Frame<'a> {
     /// Its opening comment.
     pub opening: &'a str,
@@ -307,7 +307,7 @@ pub fn framed(frame: &Frame<'_>, body: &str) -> String {
     )
 }
 
-/// A declaration with its comment before it, and those of its fields or values within.
+/// A declaration with its comment before it, and the comments of its fields or values within.
 fn documented(
     source: &Source,
     item: &Item,

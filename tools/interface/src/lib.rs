@@ -1,6 +1,6 @@
 //! Reads the Rust sources of the C interface, and writes what follows from them.
 //!
-//! | module | what it does |
+//! | module | purpose |
 //! |---|---|
 //! | [`comment`] | parses comments: the grammar of their tags |
 //! | [`cpp`] | writes the choices as enums of C++ |
@@ -8,7 +8,7 @@
 //! | [`source`] | reads the items that C sees |
 //! | [`headers`] | writes the headers, by cbindgen and in the order of the sources |
 //! | [`description`] | writes the description that other generators read |
-//! | [`doxygen`] | writes the headers again with what the reference adds to each comment |
+//! | [`doxygen`] | writes the headers with the additions of the reference to each comment |
 //! | [`texts`] | writes the texts of statuses and choices that programs show |
 
 pub mod comment;
@@ -34,7 +34,7 @@ pub type Generated = (String, String);
 ///
 /// # Errors
 ///
-/// A sentence about what the sources or cbindgen refuse.
+/// A sentence about an error in the sources, or of cbindgen.
 pub fn library_headers(root: &Path, version: &str) -> Result<Vec<Generated>, String> {
     let sources = sources(root)?;
     let mut made = written(root, version, &sources, &headers::Plain)?;

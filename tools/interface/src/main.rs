@@ -23,7 +23,7 @@ fn run(arguments: &[&str]) -> Result<(), String> {
         }
         ["describe", file] => {
             let text = gusset_interface::library_description(root, version)?;
-            // Whatever depends on the file stays as it is if nothing changed.
+            // An unchanged file keeps its time, so that its dependents are not rebuilt.
             if fs::read_to_string(file).is_ok_and(|old| old == text) { Ok(()) } else { write(Path::new(file), &text) }
         }
         ["reference", folder] => {

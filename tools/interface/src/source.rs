@@ -47,7 +47,7 @@ pub struct Field {
     pub called_with: Vec<Type>,
 }
 
-/// What an item is.
+/// The kind of an item.
 #[derive(Debug, Clone)]
 pub enum Kind {
     /// A constant: its type and its value.
@@ -71,7 +71,7 @@ pub enum Kind {
 pub struct Item {
     /// Its name in C.
     pub name: String,
-    /// What it is.
+    /// The kind of the item.
     pub kind: Kind,
     /// Its comment.
     pub comment: Comment,
@@ -219,7 +219,7 @@ fn lines(attributes: &[Attribute]) -> Vec<String> {
         let syn::Lit::Str(text) = literal.lit else { return None };
         Some(text.value())
     });
-    // An empty line has no lines, and separates paragraphs.
+    // An empty line separates paragraphs.
     texts.flat_map(|text| text.split('\n').map(str::to_owned).collect::<Vec<_>>()).collect()
 }
 
@@ -232,7 +232,7 @@ fn fields(fields: &Fields) -> Result<Vec<Field>, String> {
             let kind = kind(&field.ty).map_err(failed)?;
             return Ok(Field { name, kind, comment, called_with: Vec::new() });
         };
-        // A callback of a field has no name of its own.
+        // A callback of a field lacks a name.
         let mut called_with = Vec::new();
         for given in &function.inputs {
             called_with.push(kind(&given.ty).map_err(failed)?);
