@@ -44,7 +44,7 @@ demo_packages  := $(host_packages) libcgal-demo
 pictures_packages := $(demo_packages) $(browser_packages) libegl1 nlohmann-json3-dev python3-venv
 figures_packages := $(host_packages)
 
-.PHONY: help build test-hosts-all wheel check-wheel wasm scans openmfx test test-units test-programs test-hosts test-rust check mutants lint lint-rust lint-hosts exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures figures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build test-hosts-all wheel check-wheel wasm scans openmfx test test-units test-programs test-hosts test-rust check mutants lint lint-prose lint-rust lint-hosts exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures figures bench install install-library install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -103,7 +103,11 @@ check: lint-rust test-rust
 
 test-rust: test-units test-programs
 
-lint: lint-rust lint-hosts
+lint: lint-prose lint-rust lint-hosts
+
+# Comments, pages and names follow the rules of CONTRIBUTING.md.
+lint-prose:
+	@scripts/lint-prose.sh
 
 # Also checks the fuzzers, under a stable compiler and without linking; `make fuzz` runs them.
 lint-rust:

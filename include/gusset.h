@@ -24,7 +24,7 @@
  * Other common calls: gusset_fill closes holes, gusset_surface_nearest finds nearest points of a smooth surface,
  * gusset_outline_create passes a curve through points, gusset_net_to_mesh makes a mesh of a net.
  *
- * What holds for every function:
+ * Rules for every function:
  *
  * Arguments. A function takes a context, handles, inputs, options and outputs, in this order. The context gives
  * threads, progress, cancellation and the report of an error; NULL selects the defaults, without a report. NULL

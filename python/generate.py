@@ -14,7 +14,7 @@ import textwrap
 
 HERE = pathlib.Path(__file__).resolve().parent
 INTERFACE = HERE.parent / "build/interface.json"
-#: Structs with keywords besides those of options.
+#: Structs with keywords, besides structs of options.
 WITH_KEYWORDS = {"gusset_net_primitive"}
 #: Structs without a class: the errors of a call, and Leus's search, which the package leaves out.
 WITHOUT_CLASS = {"gusset_error_report", "gusset_mask_report", "gusset_reference_report"}
@@ -296,7 +296,7 @@ def stubs():
 if __name__ == "__main__":
     is_check = sys.argv[1:] == ["--check"]
     described = Interface()
-    # What the package imports comes first.
+    # Imports of the package come first.
     for name, write in (("choices.py", lambda: choices(described)), ("_options.py", lambda: options(described)),
                         ("_reports.py", lambda: Reports(described).text()), ("filters.pyi", stubs)):
         file = HERE / "gusset_mesh" / name

@@ -84,8 +84,8 @@ async function types() {
   for (const one of Object.values((await load()).filters)) {
     const name = `${capital(one.scriptName)}Params`;
     const given = Array.from({ length: one.minInputs }, (_, k) => takes[one.inputKinds[Math.min(k, one.inputKinds.length - 1)]]);
-    // With room for more, as [MeshLike, ...MeshLike[]] or [MeshLike] | [MeshLike, MeshLike]: after
-    // [MeshLike, MeshLike?] there could be no parameters without a second mesh.
+    // With room for more, as [MeshLike, ...MeshLike[]] or [MeshLike] | [MeshLike, MeshLike]: after [MeshLike,
+    // MeshLike?], parameters would require a second mesh.
     const more = one.maxInputs - one.minInputs, last = takes[one.inputKinds.at(-1)];
     const inputs = more > 8 ? `[${[...given, `...${last}[]`].join(", ")}]`
       : Array.from({ length: more + 1 }, (_, k) => `[${[...given, ...Array(k).fill(last)].join(", ")}]`).join(" | ");
@@ -95,9 +95,9 @@ async function types() {
     members += `${comment(`${one.help}${one.reference ? ` Source: ${one.reference}` : ""}`, "  ")}  readonly ${one.scriptName}: Filter<${inputs}, ${results.length === 1 ? results[0] : `[${results.join(", ")}]`}, ${name}>;\n`;
   }
   const words = union("ErrorCode", "The name of a status.", Object.values(tables.statuses))
-    + union("ElementKind", "What the index of an error counts.", Object.values(tables.elements))
-    + union("Kind", "What a filter takes and gives.", Object.values(tables.kinds)) + union("ParamKind", "The kind of a parameter.", Object.values(tables.paramKinds))
-    + union("Domain", "What has values.", Object.keys(tables.domains)) + union("Rule", "How the values of several sources become one.", Object.keys(tables.rules));
+    + union("ElementKind", "The kind of element that the index of an error counts.", Object.values(tables.elements))
+    + union("Kind", "The kind of an input or output of a filter.", Object.values(tables.kinds)) + union("ParamKind", "The kind of a parameter.", Object.values(tables.paramKinds))
+    + union("Domain", "The kind of elements with values.", Object.keys(tables.domains)) + union("Rule", "How the values of several sources become one.", Object.keys(tables.rules));
   return `// Types of gusset-mesh. Written by generate.mjs; do not edit.\n\n${read("types.d.ts").replace(/^\/\/.*\n\n/, "")}${words}${params}\n/** The filters of the table, by their names for scripts. */\nexport interface Filters {\n${members}}\n`;
 }
 

@@ -217,7 +217,7 @@ export type ErrorCode =
   | "cancelled"
   | "panic";
 
-/** What the index of an error counts. */
+/** The kind of element that the index of an error counts. */
 export type ElementKind =
   | "none"
   | "vertex"
@@ -243,7 +243,7 @@ export type ElementKind =
   | "row"
   | "edge";
 
-/** What a filter takes and gives. */
+/** The kind of an input or output of a filter. */
 export type Kind =
   | "mesh"
   | "curves"
@@ -261,7 +261,7 @@ export type ParamKind =
   | "direction"
   | "plane";
 
-/** What has values. */
+/** The kind of elements with values. */
 export type Domain =
   | "vertices"
   | "corners"

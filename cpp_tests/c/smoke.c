@@ -232,7 +232,7 @@ static int keep_fraction(void *user, double fraction, const char *stage) {
     return falls;
 }
 
-/* Of a success the last report is 1: of new handles, of arrays of the caller's, and of what changes in place. */
+/* If a call succeeds, its last report is 1: for new handles, for arrays of the caller, and for changes in place. */
 static void progress_ends_at_one(void) {
     const gusset_mesh_view pieces[2] = {pyramid(pyramid_up), pyramid(pyramid_down)};
     double nodes[4][3] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}};

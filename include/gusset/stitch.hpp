@@ -40,7 +40,7 @@ public:
     Indices matrix() const && = delete;
     /// The number of interior rows.
     uint32_t row_count() const { return report().row_count; }
-    /// Of each new vertex its three parents, interleaved.
+    /// For each new vertex its three parents, interleaved.
     Indices parents() const & { return detail::indices(report().parents); }
     Indices parents() const && = delete;
     /// How much each new vertex has of its parents, three numbers a vertex.
@@ -54,7 +54,7 @@ public:
         return detail::intersections(report());
     }
     std::optional<Indices> intersections() const && = delete;
-    /// What the strip is: a blend that was asked for may have had to give way to the strip.
+    /// The kind of the strip: a strip may have replaced the requested blend.
     Finish finish() const { return static_cast<Finish>(report().finish); }
     /// The number of local back-offs of the fairing.
     uint32_t back_off_count() const { return report().back_off_count; }

@@ -15,7 +15,8 @@ inline std::vector<uint32_t> meridians_index(uint32_t n, uint32_t m) {
     });
 }
 
-/// A strip between two polylines that belong to no mesh; see gusset_strip. Its mesh has the points of a, those of b, then
+/// A strip between two polylines that belong to no mesh; see gusset_strip. Its mesh has the points of a, the points
+/// of b, then
 /// the new ones row by row, and the faces between them.
 class Strip : public Result {
 public:
@@ -35,10 +36,10 @@ public:
     Indices matrix() const && = delete;
     /// The number of interior rows.
     uint32_t row_count() const { return report().row_count; }
-    /// Of each new vertex its two parents, interleaved.
+    /// For each new vertex its two parents, interleaved.
     Indices parents() const & { return detail::indices(report().parents); }
     Indices parents() const && = delete;
-    /// Of each new vertex the weight of its second parent.
+    /// For each new vertex the weight of its second parent.
     Span<const double> weights() const & {
         const gusset_strip_report found = report();
         return {found.weights, found.parents.count / 2};

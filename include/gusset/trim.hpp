@@ -7,7 +7,7 @@
 
 namespace gusset {
 
-/// What is left of pieces that overlap; see gusset_trim_create.
+/// Pieces without their overlaps; see gusset_trim_create.
 class Trim {
 public:
     /// See ::gusset_trim_create.

@@ -22,13 +22,13 @@ public:
         return {found.edges, found.edge_count};
     }
     Span<const gusset_winged_edge> edges() const && = delete;
-    /// Of each half-edge its edge.
+    /// For each half-edge its edge.
     Indices edge_of_half_edge() const & { return detail::indices(view().edge_of_half_edge); }
     Indices edge_of_half_edge() const && = delete;
-    /// Of each face its first edge.
+    /// For each face its first edge.
     Indices edge_of_face() const & { return detail::indices(view().edge_of_face); }
     Indices edge_of_face() const && = delete;
-    /// Of each vertex an edge at it, or UINT32_MAX.
+    /// For each vertex an edge at it, or UINT32_MAX.
     Indices edge_of_vertex() const & { return detail::indices(view().edge_of_vertex); }
     Indices edge_of_vertex() const && = delete;
     /// Loops of free edges, found on the tables: loop i has the vertices from loop_offsets()[i] to
@@ -51,7 +51,7 @@ private:
 /// gusset_winged_faces_create.
 class WingedFaces {
 public:
-    /// Of a table of the caller's. `first_edges`: per face where it begins; empty for its edge of the
+    /// Reads a table of the caller. `first_edges`: the first edge of each face; empty selects its edge with the
     /// smallest number.
     WingedFaces(Span<const gusset_winged_edge> edges, std::size_t vertex_count, Indices first_edges = {},
                 const WingedOptions &options = {}, const Context &context = Context()) {
@@ -66,7 +66,7 @@ public:
     /// The vertices of each face in order.
     Indices corners() const & { return detail::indices(view().face_corners); }
     Indices corners() const && = delete;
-    /// Of each corner the edge that leaves it.
+    /// For each corner the edge that leaves it.
     Indices edge_of_half_edge() const & { return detail::indices(view().edge_of_half_edge); }
     Indices edge_of_half_edge() const && = delete;
 

@@ -11,7 +11,7 @@ from typing import Any, Optional
 from ._library import ffi, lib
 from .errors import reported
 
-#: Called with the part done, 0 to 1, and what is being done. What it raises cancels the call and is raised by it.
+#: Receives the completed part, 0 to 1, and the current stage. An exception that it raises cancels the call, which raises it again.
 Progress = Callable[[float, str], object]
 
 
@@ -59,13 +59,13 @@ def _told(user: Any, fraction: float, stage: Any) -> int:
 
 
 def _raised(kind: Any, exception: BaseException, traceback: Any) -> int:
-    """What _told raised is raised again by the thread's call that is under way."""
+    """An exception of _told is raised again by the running call of the thread."""
     _own.busy[-1].raised = exception
     return 1
 
 
 class _Own(threading.local):
-    """Each thread has contexts of its own: one, but for calls made from within a callback."""
+    """Each thread has its own contexts: one, and another for each call from within a callback."""
 
     def __init__(self) -> None:
         self.free: list[_Context] = []
@@ -74,7 +74,7 @@ class _Own(threading.local):
 
 _own = _Own()
 
-#: What is under way in all threads: each has cancel().
+#: Running calls of all threads: each has cancel().
 under_way: set[Any] = set()
 
 

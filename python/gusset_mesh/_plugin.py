@@ -43,7 +43,7 @@ class Curves:
         self.closed: NDArray[np.uint8] = np.ascontiguousarray(np.broadcast_to(each, (max(len(self.offsets) - 1, 0),)))
 
     def require(self) -> None:
-        """What the constructor saw to: attributes may have been replaced since."""
+        """Checks again, because attributes may have been replaced since construction."""
         lists = [(self.offsets, np.uint32), (self.closed, np.uint8)]
         if any(not isinstance(one, np.ndarray) or one.dtype != dtype or one.ndim != 1 or not one.flags.c_contiguous for one, dtype in lists):
             raise ValueError("offsets and closed are no packed arrays of 32-bit whole numbers and of bytes")
@@ -71,7 +71,7 @@ class Report(str):
 
 
 class Outputs:
-    """What a filter gave: a sequence; ``carry`` takes along what the inputs' elements have, if origins were asked for."""
+    """The outputs of a filter: a sequence. ``carry`` carries attributes of the inputs' elements over, if origins were requested."""
 
     def __init__(self, table: Any, handle: Any):
         self._table, self._handle = table, handle
@@ -119,7 +119,7 @@ class Outputs:
         return bool(self._attributes.has_origins(self._handle, index))
 
     def carry(self, values: Sequence[Optional[ArrayLike]], domain: Domain = "vertices", rule: Rule = "linear", *, index: int = 0) -> NDArray[Any]:
-        """The values of the elements of output ``index``, of those of the inputs': one array for each input, or None."""
+        """Values of the elements of output ``index``, from values of the inputs: one array for each input, or None."""
         mesh = self._made[index]
         count = {"vertices": mesh.vertex_count, "corners": len(mesh.corners), "faces": mesh.face_count}[domain]
 
@@ -139,7 +139,7 @@ def _failed(status: int, failure: Any) -> Exception:
 
 
 class _Told:
-    """What the host's callback of a run needs."""
+    """The data of a host's callback during a run."""
 
     def __init__(self, progress: Optional[Progress]):
         self.progress = progress
@@ -203,7 +203,7 @@ class Filter:
 
     def _values(self, inputs: Any, count: int, params: dict[str, Any]) -> Any:
         values = ffi.new("double[]", max(self._struct.value_count, 1))
-        # What suits the inputs; plain defaults if they are bad, which run then says.
+        # Suggested values for the inputs; plain defaults if these are invalid, which run then reports.
         self._struct.suggest(self._struct, inputs, count, values)
         for name, value in params.items():
             if name not in self.param_ids:

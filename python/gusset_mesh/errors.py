@@ -1,4 +1,4 @@
-"""What goes wrong: a status of the library, with the element at fault."""
+"""A failure: a status of the library, with the offending element."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class Error(Exception):
 
 
 class InputError(Error, ValueError):
-    """What was given cannot be used: its first offending element is named."""
+    """The input cannot be used; names its first offending element."""
 
 
 class OutOfMemory(Error, MemoryError):

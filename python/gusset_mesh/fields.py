@@ -42,7 +42,7 @@ class Field:
     #: (n, 2): times and strengths, which multiply ``strength``; None: it does not depend on time.
     keys: Optional[NDArray[np.float64]] = None
     easing: Easing = "linear"
-    #: Of a lattice: the displacement of each control point.
+    #: For a lattice: the displacement of each control point.
     offsets: Optional[NDArray[np.float64]] = None
     counts: tuple[int, ...] = (0, 0, 0)
 

@@ -92,7 +92,7 @@ class GussetAccessor:
         return self._one(joining.orient, **options)
 
     def check(self) -> joining.Check:
-        """What it is: see :func:`gusset_mesh.check`."""
+        """Checks the mesh: see :func:`gusset_mesh.check`."""
         return joining.check(from_polydata(self._polydata(self._dataset)))
 
     def boundary_loops(self) -> Any:

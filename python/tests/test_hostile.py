@@ -1,4 +1,4 @@
-"""What has once been asked of the package that it had not thought of."""
+"""Inputs that once broke the package."""
 
 import copy
 import pickle

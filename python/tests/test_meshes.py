@@ -36,7 +36,7 @@ def test_rows_of_wider_arrays_are_read_where_they_are():
     assert gm.check(mesh).report.euler == gm.check((points, faces)).report.euler == 1
     every = gm.Mesh(np.repeat(points, 2, axis=0)[::2], faces)
     assert len(gm.boundary_loops(every)) == 1
-    # What cannot be read in place is copied, and gives the same.
+    # Arrays that cannot be read in place are copied, with equal results.
     for other in (np.asfortranarray(points), points[::-1][::-1], points.astype(np.float16), points.tolist()):
         assert len(gm.boundary_loops((other, faces))) == 1
 

@@ -6,7 +6,7 @@ import pathlib
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "python/gusset_mesh"
 
-#: What Python does without on purpose. The name of a new C function is added to the package, or here.
+#: Functions that Python omits on purpose. The name of a new C function is added to the package, or here.
 WITHOUT = {
     "gusset_abi": "the package has the library that it was built with",
     "gusset_context_get_progress": "progress= is called with it",
@@ -58,7 +58,7 @@ def test_every_function_of_c_is_offered_or_listed():
     listed, offered = symbols(), called(package())
     assert len(listed) > 200
     assert listed - offered - set(WITHOUT) == set()
-    # What is offered, or is not in C any more, is no longer on the list.
+    # A function that Python offers, or that C lost, must leave the list.
     assert set(WITHOUT) & offered == set() and set(WITHOUT) <= listed
 
 

@@ -157,7 +157,7 @@ def test_arrays_of_arrays_and_their_counts():
 
 def test_words_and_bits_are_the_constants():
     assert set(gm.choices.NUMBERS["gusset_hole_status"].items()) >= {("filled", lib.GUSSET_HOLE_FILLED), ("not_free", lib.GUSSET_HOLE_NOT_FREE)}
-    # A face that is missing leaves an edge without a second face; a third face at an edge is no manifold.
+    # A missing face leaves an edge without a second face; an edge with three faces is not manifold.
     fan = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, -1, 0]], [[0, 1, 2], [0, 1, 3], [0, 1, 4]]
     assert gm.check(fan).report.properties.isdisjoint({"manifold", "closed"})
     assert gm.check(gm.fill(TUBE).mesh).report.properties == {"closed", "manifold", "oriented", "orientable"}

@@ -119,7 +119,7 @@ def test_distances():
     assert BALL.distance(gm.Plane([0, 0, 3], [0, 0, -2])).distance == pytest.approx(2, abs=1e-3)
     found = BALL.distance(gm.Line([3, 0, 0], [0, 1, 0]))
     assert found.distance == pytest.approx(2, abs=1e-4) and found.bound <= found.distance and np.allclose(found.other_point, [3, 0, 0], atol=1e-2)
-    # Of a segment the end is nearest.
+    # The end of the segment is nearest.
     assert BALL.distance(gm.Line([3, 0, 0], [0, 1, 0], start=4, end=5)).distance == pytest.approx(4, abs=1e-3)
     assert BALL.distance(gm.Curve.from_controls([[0, 5, 0], [0, 3, 0]])).distance == pytest.approx(2, abs=1e-3)
     far = gm.Surface(gm.Sheet(shapes.grid(5, 5) - [0.5, 0.5, 4]))

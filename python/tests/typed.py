@@ -38,7 +38,7 @@ def reports() -> None:
     assert_type([loop.edge_flags["reversed"] for loop in loops], list[NDArray[np.bool_]])
     assert_type(surface.nearest(points).place.u, NDArray[np.float64])
     assert_type("closed" in gm.check(mesh).report.properties, bool)
-    # What is not there is a mistake, and so is a word that a choice does not have.
+    # Unknown names are errors, and unknown words of a choice, too.
     filled.report.wholes  # type: ignore[attr-defined]
     surface.nearest(points).flags["certain"]  # type: ignore[index]
     filled.holes[0].status == "full"  # type: ignore[comparison-overlap]

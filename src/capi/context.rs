@@ -119,7 +119,7 @@ fn finished<T>(body: impl FnOnce(&Job<'_>) -> Result<T, Failure>, job: &Job<'_>)
 }
 
 /// [`guard`] for a `body` that modifies the caller's data, writes to its outputs, or makes handles.
-/// Such changes cannot be undone, so `body` calls [`Job::finish`] itself before it makes them, or
+/// These changes cannot be undone, so `body` calls [`Job::finish`] itself before it makes them, or
 /// [`Job::memory`] if it reports while it makes them.
 pub(crate) fn guard_change(
     context: *const gusset_context,

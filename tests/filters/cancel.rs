@@ -1,5 +1,5 @@
-//! What a host hears of filters that have one long curve to work on: reports in proportion to the
-//! work, and a cancel at any of them.
+//! Progress of filters that process one long curve: reports in proportion to the work, and a cancel
+//! at any of them.
 
 use crate::editor::{circle, polylines, values};
 use gusset::filters::Filter;
@@ -31,13 +31,13 @@ fn run(id: &str, given: &[Curves], set: &[(&str, &[f64])], stop_at: usize) -> (R
     (done, listener.count.get())
 }
 
-/// One ring of so many points, or two for filters of two.
+/// One ring with this many points, or two rings for filters with two inputs.
 fn rings(id: &str, count: u32) -> Vec<Curves> {
     let ring = |x: f64| circle(count, 1.0, [x, 0.0, 0.0]);
     match id {
         "facing_arcs" => vec![polylines(&[(ring(0.0), true), (ring(3.0), true)])],
         "curve_nearest" => vec![polylines(&[(ring(0.0), true)]), polylines(&[(ring(3.0), true)])],
-        // What is to be turned must not cross the axis.
+        // The curve to revolve must not cross the axis.
         "net_lathe" => vec![polylines(&[(ring(3.0).iter().map(|&[x, y, _]| [x, 0.0, y]).collect(), true)])],
         _ => vec![polylines(&[(ring(0.0), true)])],
     }

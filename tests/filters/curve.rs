@@ -72,7 +72,7 @@ fn measures_of_circles_and_squares() {
     assert!((value(&outputs[0], "length") - 8.0 - polygon).abs() < 1e-12);
     // In words to six digits.
     assert!((number(report.lines().nth(1).unwrap(), "length") / polygon - 1.0).abs() < 5e-6, "{report}");
-    // A smooth curve through the points is a circle but for a thousandth.
+    // A smooth curve through the points is a circle within a thousandth.
     let outputs = run_on_curves("curve_measures", &[curves], &[1.0]).unwrap();
     let smooth = text(&outputs[0]).lines().nth(1).unwrap();
     assert!((number(smooth, "length") / (2.0 * TAU) - 1.0).abs() < 1e-4, "{smooth}");
@@ -244,7 +244,7 @@ fn far_curves_do_not_blur_near_ones() {
         // The left end of what lies farthest to the left.
         assert_eq!(curve(lines(&outputs[0]), 2)[1], [0.0; 3], "{far}");
     }
-    // Of equally near ones the first; without questions there is no curve needed.
+    // The first of equally near curves; without queries a curve is not needed.
     let post = |x: f64| (vec![[x, 0.0, 0.0], [x, 0.0, 1.0]], false);
     let given = [polylines(&[(vec![[0.0; 3]], false)]), polylines(&[post(3.0), post(1.0), post(-1.0)])];
     let outputs = run_on_curves("curve_nearest", &given, &[]).unwrap();

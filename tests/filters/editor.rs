@@ -1,4 +1,4 @@
-//! What a mesh editor hands to filters: inputs for each of them, small ones and large ones.
+//! Small and large inputs for each filter, as a mesh editor passes them.
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
 
 use crate::common::{Soup, cap};
@@ -26,13 +26,13 @@ pub fn inputs(given: &[Given]) -> Vec<Input<'_>> {
     inputs
 }
 
-/// What a filter gives for meshes.
+/// Runs a filter on meshes.
 pub fn run_on(id: &str, soups: &[Soup], values: &[f64]) -> Result<Vec<Output>> {
     let inputs: Vec<_> = soups.iter().map(|soup| Input::Mesh(soup.view())).collect();
     Filter::find(id).unwrap().run(&inputs, values, &Job::default())
 }
 
-/// What a filter gives for polylines.
+/// Runs a filter on polylines.
 pub fn run_on_curves(id: &str, curves: &[Curves], values: &[f64]) -> Result<Vec<Output>> {
     let inputs: Vec<_> = curves.iter().map(Input::Curves).collect();
     Filter::find(id).unwrap().run(&inputs, values, &Job::default())

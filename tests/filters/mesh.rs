@@ -214,7 +214,7 @@ fn strips_span_two_curves() {
     let (points, faces) = mesh(&outputs[0]);
     assert_eq!((points.len(), faces.len()), (28, 28));
     assert_eq!(common::euler(faces.iter().copied()), 0);
-    // Every edge but those of the two curves has two faces that run it in opposite directions.
+    // Every edge except the edges of the two curves has two half-edges of opposite directions.
     let edges = common::edge_counts(faces.iter().copied());
     assert_eq!(edges.values().filter(|&&count| count != (1, 1)).count(), 28);
     // The band of least area about a cylinder is near to it.

@@ -7,7 +7,7 @@ use gusset::Error;
 use gusset::filters::data::{Input, Output};
 use std::f64::consts::PI;
 
-/// What a filter gives for meshes, with some parameters set.
+/// Runs a filter on meshes, with some parameters set.
 fn run(id: &str, soups: &[Soup], set: &[(&str, &[f64])]) -> Result<Vec<Output>, Error> {
     let inputs: Vec<_> = soups.iter().map(|soup| Input::Mesh(soup.view())).collect();
     run_on(id, soups, &values(id, &inputs, set))
@@ -235,7 +235,7 @@ fn planarised_grids_have_planar_faces() {
             assert!(!on_boundary || p == q, "{p:?} {q:?}");
         }
     }
-    // What is planar does not change.
+    // A planar mesh does not change.
     let flat = sheet(4, 3);
     assert_eq!(mesh(&run("net_planarise", std::slice::from_ref(&flat), &[]).unwrap()[0]).0, flat.points);
 }

@@ -115,7 +115,7 @@ fn filters_tell_where_elements_come_from() {
     assert!(checked > 60, "{checked}");
 }
 
-/// Every second row and column of a plane, and the plane moved: corners are those of the cells there.
+/// Every second row and column of a plane, and the plane moved: corners come from the cells there.
 #[test]
 fn corners_of_grids_are_those_of_their_own_cells() {
     let mut soup = crate::common::sheet(9, 7);

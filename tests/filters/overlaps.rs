@@ -34,7 +34,7 @@ fn motion() -> (DMat3, DVec3) {
     (rotation, DVec3::new(0.03, -0.02, 0.02))
 }
 
-/// What a filter gives for meshes, with the origins of its elements.
+/// Runs a filter on meshes, and returns the origins of its elements.
 fn traced(id: &str, soups: &[Soup], set: &[(&str, &[f64])]) -> Vec<Output> {
     let given: Vec<Given> = soups.iter().cloned().map(Given::Mesh).collect();
     let inputs = inputs(&given);
@@ -133,7 +133,7 @@ fn pieces_that_were_moved_apart_become_one() {
 }
 
 #[test]
-fn of_overlaps_one_piece_is_kept() {
+fn one_piece_of_each_overlap_is_kept() {
     let given = halves();
     let both = given[0].and(&given[1]);
     let outputs = traced("trim", &given, &[]);
@@ -193,7 +193,7 @@ fn overlapping_pieces_are_assembled_to_a_closed_mesh() {
         "{}",
         text(&outputs[1])
     );
-    // What is left is where it was.
+    // The remaining vertices keep their positions.
     let both = given[0].and(&given[1]);
     let table = origins(&outputs[0]).table(Domain::Vertices);
     let old = (0..at.len()).filter_map(|v| if let [source] = table.row(v).0 { Some((v, *source)) } else { None });

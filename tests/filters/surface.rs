@@ -8,12 +8,12 @@ use gusset::mesh::PositionBuffer;
 use gusset::{Error, Job};
 use std::f64::consts::{PI, TAU};
 
-/// What a filter gives for meshes.
+/// Runs a filter on meshes.
 fn run_on(id: &str, soups: &[Soup], values: &[f64]) -> Vec<Output> {
     crate::editor::run_on(id, soups, values).unwrap()
 }
 
-/// What a filter gives, with some parameters set.
+/// Runs a filter with some parameters set.
 fn run(id: &str, inputs: &[Input<'_>], set: &[(&str, &[f64])]) -> Result<Vec<Output>, Error> {
     Filter::find(id).unwrap().run(inputs, &values(id, inputs, set), &Job::default())
 }
@@ -215,7 +215,7 @@ fn surfaces_through_sections_are_those_that_were_cut() {
 
 #[test]
 fn surfaces_through_nets_of_curves_contain_them() {
-    // Of the saddle z = x y: straight lines, which make it up.
+    // The saddle z = x y consists of straight lines.
     let line = |a: [f64; 2], b: [f64; 2]| (vec![[a[0], a[1], a[0] * a[1]], [b[0], b[1], b[0] * b[1]]], false);
     let across = polylines(&[-1.0, 0.0, 1.0].map(|x| line([x, -1.0], [x, 1.0])));
     let along = polylines(&[-1.0, 0.5, 1.0].map(|y| line([-1.0, y], [1.0, y])));

@@ -86,7 +86,7 @@ fn names_are_unique_stable_and_explained() {
         assert!(filter.min_inputs <= filter.max_inputs);
         let params: HashSet<_> = filter.params.iter().map(|p| p.id).collect();
         assert_eq!(params.len(), filter.params.len(), "{}", filter.id);
-        // What takes the place of the first input is of its kind.
+        // The output that replaces the first input has its kind.
         if filter.replaces {
             let kinds = (filter.inputs[0], filter.outputs[0].to_owned());
             assert!(format!("{:?}", kinds.0) == format!("{:?}", kinds.1), "{}", filter.id);

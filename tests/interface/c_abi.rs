@@ -11,7 +11,7 @@ use std::process::Command;
 use std::{env, fs};
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
-/// What a C program links besides the static library, on Linux.
+/// The libraries that a C program links besides the static library, on Linux.
 const STATIC_LINK_LINE: &str = "-lgcc_s -lutil -lrt -lpthread -lm -ldl -lc";
 
 /// All headers, one after the other.
@@ -47,7 +47,8 @@ fn the_committed_headers_are_the_generated_ones() {
     let wrapper: String = wrapper.filter_map(|path| fs::read_to_string(path).ok()).collect();
     for (path, text) in gusset_interface::library_headers(root, env!("CARGO_PKG_VERSION")).unwrap() {
         committed(&path, &text);
-        // The page that programs include names each header of C; a header of C++ includes those of C++.
+        // The page that programs include names each header of C; a header of C++ includes the C++
+        // headers.
         let name = path.trim_start_matches("include/");
         let named = if path.ends_with(".h") {
             fs::read_to_string(root.join("include/gusset.h")).unwrap().contains(name)
@@ -104,7 +105,7 @@ fn every_constant_of_a_choice_has_a_text_of_its_own() {
         // SAFETY: a text that ends with a NUL; the function returns a static string.
         unsafe { CStr::from_ptr(gusset::capi::status::gusset_choice_text(choice.as_ptr(), value)) }.to_str().unwrap()
     };
-    // Those of the header, which cbindgen wrote.
+    // The functions of the header, which cbindgen wrote.
     let header = headers();
     let mut count = 0;
     for choice in header.lines().filter_map(|line| line.strip_prefix("typedef uint32_t ")?.strip_suffix(';')) {
@@ -180,7 +181,7 @@ fn all_that_name_the_static_link_line_agree() {
     }
 }
 
-/// What names the shared library for its users names the one that this version installs.
+/// References to the shared library name the version that this version installs.
 #[test]
 fn the_name_of_the_library_has_this_version() {
     let name = concat!("libgusset.so.", env!("CARGO_PKG_VERSION_MAJOR"), ".", env!("CARGO_PKG_VERSION_MINOR"));

@@ -124,7 +124,7 @@ fn every_array_that_a_function_lends_or_options_hold_has_a_shape() {
     assert!(shaped > 80, "{shaped}");
 }
 
-/// What is exported and no part of the library's headers is shown in a guide.
+/// A guide shows every exported item that the library's headers lack.
 #[test]
 fn every_exported_name_is_in_an_example() {
     let names: BTreeSet<String> = sources().into_iter().flat_map(|source| source.items).map(|item| item.name).collect();

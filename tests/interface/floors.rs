@@ -37,7 +37,7 @@ fn read_floors<'a>(drawn: &'a str, modules: &BTreeSet<String>) -> Floors<'a> {
     Floors { line_of, uses }
 }
 
-/// What a crate's modules do against the floors.
+/// Violations of the floors by a crate's modules.
 fn violations(drawn: &str, library: &Crate) -> Vec<String> {
     let modules = library.children();
     let floors = read_floors(drawn, &modules);

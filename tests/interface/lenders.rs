@@ -1,7 +1,7 @@
 //! Arrays that the library lends: one without elements is NULL, and no pointer that must not be
 //! looked through.
 
-#![allow(unsafe_code, reason = "the functions are those of C")]
+#![allow(unsafe_code, reason = "calls the C functions")]
 
 use gusset::capi::curve::export::*;
 use gusset::capi::curve::intersect::*;
@@ -19,7 +19,7 @@ use gusset::capi::surface::sheet::*;
 use gusset::capi::surface::*;
 use std::ptr;
 
-/// What a function made, until it is dropped.
+/// A handle that a function made, until it is dropped.
 struct Made<T> {
     handle: *mut T,
     destroy: unsafe extern "C" fn(*mut T),

@@ -1,6 +1,6 @@
 //! Sentences about mistakes of the caller's: which of several structs has the field.
 
-#![allow(unsafe_code, reason = "the functions are those of C")]
+#![allow(unsafe_code, reason = "calls the C functions")]
 
 use glam::DVec3;
 use gusset::capi::context::*;
@@ -30,7 +30,7 @@ fn sized<T: Copy>() -> T {
     }
 }
 
-/// What the context says of a call that meets an unknown value.
+/// The message of a call with an unknown value.
 fn message(call: impl FnOnce(*const gusset_context) -> gusset_status) -> String {
     let mut context = ptr::null_mut();
     // SAFETY: a context that lives until the end of the block.
@@ -43,8 +43,8 @@ fn message(call: impl FnOnce(*const gusset_context) -> gusset_status) -> String 
     }
 }
 
-/// Of the options of an assembly; they are looked at before the pieces.
-fn of_assembly(options: &gusset_join_options) -> String {
+/// The message for options of joining, which are checked before the pieces.
+fn join_message(options: &gusset_join_options) -> String {
     let mut out = ptr::null_mut();
     // SAFETY: options that live, and no pieces.
     message(|context| unsafe { gusset_join(context, ptr::null(), 0, options, &raw mut out) })
@@ -55,18 +55,18 @@ fn a_field_of_options_within_options_is_named_by_its_path() {
     let plain = sized::<gusset_join_options>();
     let weld = gusset_weld_options { tolerance_mode: 7, ..sized() };
     let options = gusset_join_options { weld_options: &raw const weld, ..plain };
-    assert_eq!(of_assembly(&options), "weld_options.tolerance_mode has the unknown value 7");
+    assert_eq!(join_message(&options), "weld_options.tolerance_mode has the unknown value 7");
     let strips = gusset_stitch_options { orientation: 9, ..sized() };
     let options = gusset_join_options { strip_options: &raw const strips, ..plain };
-    assert_eq!(of_assembly(&options), "strip_options.orientation has the unknown value 9");
+    assert_eq!(join_message(&options), "strip_options.orientation has the unknown value 9");
     let strips = gusset_stitch_options { reserved: 1, ..sized() };
     let options = gusset_join_options { strip_options: &raw const strips, ..plain };
-    assert_eq!(of_assembly(&options), "strip_options.reserved has the unknown value 1");
+    assert_eq!(join_message(&options), "strip_options.reserved has the unknown value 1");
     let fill = gusset_fill_options { keep: 3, ..sized() };
     let options = gusset_join_options { fill_options: &raw const fill, ..plain };
-    assert_eq!(of_assembly(&options), "fill_options.keep has the unknown value 3");
+    assert_eq!(join_message(&options), "fill_options.keep has the unknown value 3");
     // Its own fields have no path.
-    assert_eq!(of_assembly(&gusset_join_options { orientation: 9, ..plain }), "orientation has the unknown value 9");
+    assert_eq!(join_message(&gusset_join_options { orientation: 9, ..plain }), "orientation has the unknown value 9");
 }
 
 #[test]

@@ -22,7 +22,7 @@ const FIELDS: &str = "
     pub doubted_count: usize,
 ";
 
-/// What a host writes: each member set once, and what C is told.
+/// The code of a host that sets each member once, and the C struct that it must give.
 const PROGRAM: &str = r#"
 #include <gusset/curve_options.hpp>
 #include <gusset/mesh_options.hpp>

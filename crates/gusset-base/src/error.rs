@@ -55,7 +55,7 @@ pub enum Error {
         min: u64,
     },
     /// A mesh lacks vertices or faces, or the list of meshes is empty.
-    #[error("{}", if *.what == "pieces" { "no pieces were given".to_owned() } else { format!("there are no {what}") })]
+    #[error("{}", if *.what == "pieces" { "no pieces were given".to_owned() } else { format!("the input lacks {what}") })]
     EmptyMesh {
         /// The missing elements, in the plural.
         what: &'static str,

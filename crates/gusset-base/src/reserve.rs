@@ -9,7 +9,7 @@
 //!
 //! The reserve is static and divided into arenas, in which blocks lie one behind another. An arena
 //! is reset when its last block is freed. The state of an arena is one number that threads change
-//! by compare-and-swap. There is no lock that a suspended thread could hold, and no thread-local
+//! by compare-and-swap. It needs no lock that a suspended thread could hold, and no thread-local
 //! data.
 
 #![allow(unsafe_code, reason = "an allocator")]

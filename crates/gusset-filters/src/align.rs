@@ -49,7 +49,7 @@ choices! {
     STARTS: Start<'static> =
         Start::AsGiven => "As they lie", "Each piece starts where it lies.";
         Start::PrincipalAxes => "Principal axes",
-            "The principal axes of each piece are placed on those of the first, for pieces that each show the whole object.";
+            "The principal axes of each piece are placed on the axes of the first, for pieces that each show the whole object.";
         Start::Rims => "Rims",
             "Rims of the same course are placed on each other, for pieces of one cut or broken surface. They need not overlap.";
 }

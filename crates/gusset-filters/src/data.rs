@@ -108,7 +108,7 @@ impl Curves {
     ///
     /// # Errors
     /// [`Error::BadOffsets`] with the first entry that does not fit. It is the entry after the last
-    /// if there are no offsets, or if the numbers of flags and curves differ.
+    /// without offsets, or if the numbers of flags and curves differ.
     pub fn check(&self) -> Result<()> {
         Error::check_offsets(&self.offsets, self.points.len())?;
         if self.offsets.len() == self.closed.len() + 1 {
@@ -143,7 +143,7 @@ impl Curves {
     /// # Errors
     /// [`Error::BadOffsets`], [`Error::NotFinite`] with an index among all points.
     pub(super) fn each(&self) -> Result<Vec<Polyline<'_>>> {
-        // Without offsets there are no curves.
+        // Without offsets the list is empty.
         if self.offsets.is_empty() && self.points.is_empty() {
             return Ok(Vec::new());
         }

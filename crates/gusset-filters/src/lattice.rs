@@ -16,7 +16,7 @@ pub(super) const FILTER: Filter = Filter {
     name: "Deform by a lattice",
     category: CATEGORY,
     help: "Deforms a mesh by a lattice around it. The second mesh is the lattice at rest: its vertices lie on a uniform grid \
-           along the coordinate axes, as those of a box or a subdivided cube do. The third mesh is the lattice with its \
+           along the coordinate axes, like the vertices of a box or of a subdivided cube. The third mesh is the lattice with its \
            vertices moved. Vertices of the first mesh inside the lattice follow; vertices outside stay. Grid points without a \
            vertex follow the vertices around them.",
     reference: "T. Sederberg, S. Parry, Free-form deformation of solid geometric models (1986)",

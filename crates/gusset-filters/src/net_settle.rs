@@ -16,7 +16,7 @@ pub(super) const FILTER: Filter = Filter {
     category: CATEGORY,
     help: "Joins quad grids side by side into one by bridges of several rows, and moves the rows of the bridges to the \
            equilibrium of their tension, elasticity and stiffness. The given grids keep their positions. A bridge between \
-           closed sides is a tube, whose tension is that of a soap film. Failure to converge is not an error; the report tells \
+           closed sides is a tube, whose tension acts like a soap film. Failure to converge is not an error; the report tells \
            it.",
     reference: "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, concatenation; H.-J. Schek, \
                 The force density method for form finding (1974)",

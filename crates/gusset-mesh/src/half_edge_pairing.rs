@@ -4,7 +4,7 @@
 //! larger vertex. Bucket 2v + 1 holds the half-edges that end at v and start at a larger vertex.
 //! The half-edges of one edge are thus in two adjacent buckets. In an oriented manifold each
 //! half-edge of one bucket matches exactly one of the other by its far end, and short buckets are
-//! simply scanned. Otherwise both buckets are sorted by the far end. There is no hashing. The order
+//! simply scanned. Otherwise both buckets are sorted by the far end. Hashing is not used. The order
 //! of the faces affects only the numbers of the half-edges.
 //!
 //! Each thread counts and distributes a part of the faces. The sum of all counts gives each thread

@@ -1,7 +1,7 @@
 //! Classification of a deformation as soft or hard (Deryagin, "Soft and hard deformations of a
 //! net").
 //!
-//! The paper looks for glued nodes where the Jacobian determinant of the deformation vanishes. That
+//! The paper looks for glued nodes where the Jacobian determinant of the deformation vanishes. This
 //! condition is neither necessary nor sufficient. The map (x, y, 0) has determinant 0 everywhere
 //! but leaves a sheet in a plane z = const unchanged. Rolling a sheet up to a cylinder has a
 //! positive determinant but closes the sheet. A deformation contracts a link if and only if it

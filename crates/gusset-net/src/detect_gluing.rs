@@ -2,7 +2,7 @@
 //!
 //! Neighbours that coincide are contracted links. Otherwise only the rim is examined. A run of at
 //! least two rim nodes that coincide with others, in the same direction or reversed, is a seam.
-//! Such seams cover closed rows and columns, reversed sides and folded sides. A single pair of
+//! These seams cover closed rows and columns, reversed sides and folded sides. A single pair of
 //! coincident nodes is a touch and not glued. Candidate pairs are found in a uniform grid, sorted
 //! by cell. O(nodes), plus O(r log r) for r rim nodes.
 

@@ -65,7 +65,7 @@ impl Paths {
         self.closed.len()
     }
 
-    /// True if there are no paths.
+    /// True if the list is empty.
     pub fn is_empty(&self) -> bool {
         self.closed.is_empty()
     }

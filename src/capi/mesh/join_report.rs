@@ -1,4 +1,4 @@
-//! Joining: reports: What became of each joint and each loop.
+//! Joining: reports: Outcomes of joints and loops.
 
 use crate::assemble::{Assembly, Joint, LeftLoop, Outcome, Reason};
 use crate::capi::glue::{c_enum, fixed, versioned};

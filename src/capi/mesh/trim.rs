@@ -108,7 +108,7 @@ impl gusset_trim_options {
 ///     viewpoints than pieces), TOO_LARGE
 /// @complexity O(V log F) for V vertices of a piece and F faces of each piece near it, up to
 ///     quadratic in the faces at one place. Memory linear.
-/// @source The idea is that of G. Turk and M. Levoy, Zippered polygon meshes from range images
+/// @source Based on G. Turk and M. Levoy, Zippered polygon meshes from range images
 ///     (1994), who clip one mesh at the other's border.
 #[unsafe(no_mangle)]
 #[must_use]

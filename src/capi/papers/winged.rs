@@ -132,9 +132,9 @@ c_enum! { winding: Winding { GUSSET_FACES_COUNTER_CLOCKWISE => CounterClockwise,
 /// 1.
 ///
 /// An edge with three or more faces, or two in the same direction, becomes several marked records
-/// of one face each. A stitched mesh keeps the edge numbers of its first mesh. The loops are those
-/// of gusset_boundary_create, except that an edge with inconsistent faces is a boundary on both
-/// sides.
+/// of one face each. A stitched mesh keeps the edge numbers of its first mesh. The loops equal
+/// the result of gusset_boundary_create, except that an edge with inconsistent faces is a boundary
+/// on both sides.
 ///
 /// @errors as gusset_mesh_view
 /// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear memory.

@@ -3,7 +3,7 @@
 //! | file | what it owns |
 //! |---|---|
 //! | [`descriptor`] | the structs and constants |
-//! | [`channels`] | those of the extension for attributes |
+//! | [`channels`] | the extension for attributes |
 //! | [`attributes`] | that extension |
 //! | [`table`] | the tables, made once of [`crate::filters::FILTERS`], and runs of filters |
 //! | [`inputs`] | what a host gives: meshes, curves, callbacks |

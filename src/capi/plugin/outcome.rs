@@ -42,7 +42,7 @@ impl Held {
         Ok(match output {
             Output::Mesh(mesh, origins) => Held::Mesh(mesh, origins),
             Output::Curves(mut curves) => {
-                // A host may read the first offset even if there are no curves.
+                // A host may read the first offset even without curves.
                 if curves.offsets.is_empty() {
                     curves.offsets = alloc::filled(0, 1)?;
                 }

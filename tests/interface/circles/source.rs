@@ -2,7 +2,7 @@
 //! from the tokens of the sources.
 //!
 //! A name leads to the file that defines it, through every `use` on the way, so that a `mod.rs`
-//! that lends the names of its children is no hub. `#[cfg(test)]` items do not count, nor do
+//! that lends the names of its children is not a hub. `#[cfg(test)]` items do not count, nor do
 //! methods, which are reached without a path.
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};

@@ -81,7 +81,7 @@ fn shapes(seed: u64) -> Soup {
     }
 }
 
-/// The faces of a result by vertices of the whole; new vertices after those of the whole.
+/// The faces of a result by vertices of the whole; new vertices follow.
 fn by_original(mesh: &Mesh, original: &[u32], whole: usize, take: impl Fn(usize) -> u32) -> Vec<Vec<u32>> {
     let name = |v: u32| match (v as usize).checked_sub(original.len()) {
         None => original[v as usize],

@@ -283,7 +283,12 @@ impl<'a> Writer<'a> {
         }
         let (mut text, mut extra) = (String::from("\n"), String::new());
         if !nested.is_empty() {
-            let _ = write!(text, "/// What {} points to.\nstruct {name}Nested {{\n{}}};\n", item.name, nested.concat());
+            let _ = write!(
+                text,
+                "/// The options that {} points to.\nstruct {name}Nested {{\n{}}};\n",
+                item.name,
+                nested.concat()
+            );
             extra = format!(", {name}Nested &nested");
         }
         let c = &item.name;

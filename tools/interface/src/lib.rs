@@ -30,7 +30,8 @@ const CHOICES: &str = "include/gusset/choices.hpp";
 /// A generated file: its path in the repository, and its text.
 pub type Generated = (String, String);
 
-/// The headers of the library that are generated: those of C, choices and options of C++, and the plugin's.
+/// The generated headers of the library: the C headers, choices and options of C++, and the
+/// plugin's.
 ///
 /// # Errors
 ///

@@ -200,7 +200,7 @@ fn solutions_agree_with_dense_elimination() {
     assert!(solve(&zeros(0), &[]).is_empty());
 }
 
-/// Of several dependent unknowns, the order decides which one lacks a pivot. In every case the
+/// The order decides which of several dependent unknowns lacks a pivot. In every case the
 /// others solve their own equations.
 #[test]
 fn unknowns_without_a_positive_pivot_are_left_out() {

@@ -106,7 +106,7 @@ impl SectionNodes {
     }
 
     /// Adds the intersection of a section with the half-plane from the axis through `point` towards
-    /// `ray`. Of several intersections it takes the farthest from the axis.
+    /// `ray`. It takes the intersection farthest from the axis.
     fn add_farthest(
         &mut self,
         curve: &CurveView<'_>,

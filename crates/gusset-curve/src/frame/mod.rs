@@ -95,7 +95,7 @@ pub struct Frame {
 /// - [`Error::NoSuch`]: a missing point does not exist.
 /// - The errors of [`fit`](super::fit()).
 ///
-/// Time and memory are those of the fits; by angle, O(columns x segments) more for each section.
+/// Time and memory of the fits; by angle, also O(columns x segments) for each section.
 pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>) -> Result<Frame> {
     if !options.missing.is_empty() {
         let (points, filled) = missing::fill_missing(sections, options)?;

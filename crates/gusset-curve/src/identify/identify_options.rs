@@ -45,7 +45,7 @@ choices! { for Mode:
 pub enum Lock {
     /// The parameter of the point is the method's parameter on the data's own triangle. Always
     /// solvable. The control point lies on the line from the point to the foot that divides the
-    /// section's chord as t^2 to (1 - t)^2. That line is close to the guide of the data's triangle
+    /// section's chord as t^2 to (1 - t)^2. This line is close to the guide of the data's triangle
     /// but not equal to it; see [`Lock::DataGuide`].
     #[default]
     Parameter,
@@ -148,7 +148,7 @@ pub struct Options {
     /// Neighbours closer than this, times the size of the outline, are merged. At least 0.
     pub repeat_tolerance: f64,
     /// A point is a corner if the polygon of the points turns there by more than this angle, in
-    /// radians. With pi or more there are no such corners.
+    /// radians. At pi or more, only constraints make corners.
     pub corner_angle: f64,
     /// Iterations end when all moves are below this, times the size of the outline. The error of
     /// the solution may be a few times larger if an iteration converges slowly.

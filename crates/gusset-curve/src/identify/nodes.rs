@@ -145,7 +145,7 @@ impl Nodes {
         if !self.closed {
             alloc::append(&mut self.cuts, &[0, last].map(|node| Cut { node, tangent: None }))?;
         }
-        // Of several cuts at a node the first counts.
+        // The first of several cuts at a node counts.
         sort::stable(&mut self.cuts, &|x, y| x.node.cmp(&y.node));
         self.cuts.dedup_by_key(|cut| cut.node);
         if let (true, Some(&first)) = (self.closed, self.cuts.first()) {

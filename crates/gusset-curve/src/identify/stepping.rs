@@ -83,7 +83,7 @@ pub fn step_section(
     let (u, w) = (a - p, c - p);
     let size = u.abs().max_element().max(w.abs().max_element()).max((c - a).abs().max_element());
     // From the foot, which divides the chord as t^2 and (1 - t)^2, to the point. If the point is
-    // the foot, there is no direction.
+    // the foot, the direction is undefined.
     let still = u * (s * s) + w * (t * t);
     let guide = -still.normalize_or_zero();
     let mut steps = 0;

@@ -280,7 +280,7 @@ impl<T: Real> FaceBuilder<'_, T> {
         if p != q && q != r && r != p { self.face(&[a, b, c], cell) } else { Ok(()) }
     }
 
-    /// Adds a cell with one contracted side. Of the two glued corners it keeps the second.
+    /// Adds a cell with one contracted side. It keeps the second of the two glued corners.
     fn add_triangle(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
         let class = |k: usize| self.classes[corners[k % 4] as usize];
         let mut kept = (0..4).filter(|&k| class(k) != class(k + 1)).map(|k| corners[k]);

@@ -9,7 +9,8 @@
 //! At the border or next to a pole, one label determines all others, along the first row and then
 //! row by row, so two attempts suffice. A torus has neither. There, a label that leads to a
 //! contradiction is undone and set the other way, and a label that does not is kept. A torus with
-//! irregular diagonals may therefore be rejected. Finally the quads are verified like those of any
+//! irregular diagonals may therefore be rejected. Finally the quads are verified like the quads of
+//! any
 //! mesh, so only grids are accepted. O(edges) an attempt.
 
 use super::grid::{GridNet, net_of_grid};

@@ -134,7 +134,7 @@ pub(super) fn bridge_kind(a: &Topology, b: &Topology, direction: Direction) -> B
     }
 }
 
-/// Returns true if a seam glues a whole side to nodes that contracted links identify. Such a side
+/// Returns true if a seam glues a whole side to nodes that contracted links identify. The side
 /// belongs to a net whose links closed to its opposite pole before it was joined.
 fn is_seamed_to_point(topology: &Topology, direction: Direction, i: usize) -> bool {
     let shape = topology.shape();

@@ -1,6 +1,7 @@
 //! Joining nets side by side, and splitting them again (Deryagin, "Concatenation", Figs. 8 and 9).
 //!
-//! The columns, or rows, of one net follow those of another. Between them lies a row of new cells,
+//! The columns, or rows, of one net follow the columns, or rows, of another. Between them lies a
+//! row of new cells,
 //! the bridge. Nets of different sizes are reformatted first. Invariant: [`Net::split`] restores
 //! the nets bit for bit. O(nodes).
 //!

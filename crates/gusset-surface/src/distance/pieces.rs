@@ -248,7 +248,9 @@ impl<'a> Pieces<'a> {
                 let whereabouts = Whereabouts { number: from, ..Whereabouts::default() };
                 return self.add_net(&points[..count], [count, 1], whereabouts, [1.0; 2]);
             }
-            DistanceSide::Curve(curve) => (from..to).map(|k| Aabb::from_points(curve.segment(k))).fold(Aabb::EMPTY, Aabb::union),
+            DistanceSide::Curve(curve) => {
+                (from..to).map(|k| Aabb::from_points(curve.segment(k))).fold(Aabb::EMPTY, Aabb::union)
+            }
             DistanceSide::Point => Aabb::EMPTY,
         };
         self.add_box(Kind::Range { from, to }, corners(&bounds))

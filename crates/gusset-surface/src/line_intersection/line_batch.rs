@@ -27,8 +27,8 @@ impl Lines {
 }
 
 impl Surface<'_> {
-    /// Intersects many lines with the surface, on the job's threads. For each line, the hits equal
-    /// those of [`Surface::line`].
+    /// Intersects many lines with the surface, on the job's threads. The hits of each line equal
+    /// the result of [`Surface::line`].
     ///
     /// # Errors
     /// [`Error::BadLine`] with the first line that is not finite or lacks a direction,

@@ -72,8 +72,8 @@ impl Target {
         (0..self.count).map(|k| gap(k) * gap(k)).sum()
     }
 
-    /// Bound of the rounding error of a point's coordinates. For points, whose axes are those of
-    /// space, only the last bit is rounded, and the result is 0.
+    /// Bound of the rounding error of a point's coordinates. The axes of points are the
+    /// coordinate axes: only the last bit is rounded, and the result is 0.
     fn rounding(&self, from: DVec3) -> f64 {
         if self.axes[0] == DVec3::X && self.count == 3 {
             0.0

@@ -151,7 +151,8 @@ impl Fit {
         self.data[0].map(|row| std::array::from_fn(|l| weighted_sum(&row[..=p], |a| along[a][l])))
     }
 
-    /// Values and derivatives of S = P / w from those of P and w. They follow from P = w S, P_u =
+    /// Values and derivatives of S = P / w from values and derivatives of P and w. They follow from
+    /// P = w S, P_u =
     /// w_u S + w S_u and P_uv = w_uv S + w_u S_v + w_v S_u + w S_uv.
     fn project(&self, data: &PieceNet<DVec4>, known: &ExactPoints) -> PieceNet<DVec3> {
         let mut out = PieceNet::<DVec3>::default();

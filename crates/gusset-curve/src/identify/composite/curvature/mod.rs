@@ -66,7 +66,7 @@ const MIN_CURVATURE: f64 = 1e-2;
 /// slightly.
 const MAX_INFLECTION_ROUNDS: u32 = 8;
 
-/// Of the points in trouble, the worst within this many neighbours on each side is given up.
+/// Gives up the worst failing point within this many neighbours on each side.
 const TROUBLE_REACH: usize = 3;
 
 /// The residual of an equation, in tolerances, that is still accepted once the curve passes its
