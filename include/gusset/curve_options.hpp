@@ -113,7 +113,7 @@ inline gusset_offset_options as_c(const OffsetOptions &options) {
     return given;
 }
 
-/// What gusset_frame_options points to.
+/// The options that gusset_frame_options points to.
 struct FrameOptionsNested {
     gusset_outline_options across;
     gusset_outline_options along;

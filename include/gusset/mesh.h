@@ -439,7 +439,7 @@ typedef struct gusset_join_options {
     const struct gusset_trim_options *trim_options;
 } gusset_join_options;
 
-/* ---- Joining: reports: What became of each joint and each loop. */
+/* ---- Joining: reports: Outcomes of joints and loops. */
 
 /// Outcome of a joint.
 typedef uint32_t gusset_joint_outcome;
@@ -1280,8 +1280,8 @@ typedef struct gusset_trim gusset_trim;
 ///     (max_distance, max_angle), NOT_FINITE (a viewpoint), COUNT_DIFFERS (fewer viewpoints than pieces), TOO_LARGE
 /// @complexity O(V log F) for V vertices of a piece and F faces of each piece near it, up to quadratic in the faces at
 ///     one place. Memory linear.
-/// @source The idea is that of G. Turk and M. Levoy, Zippered polygon meshes from range images (1994), who clip one
-///     mesh at the other's border.
+/// @source Based on G. Turk and M. Levoy, Zippered polygon meshes from range images (1994), who clip one mesh at the
+///     other's border.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_trim_create(const struct gusset_context *context,
     const struct gusset_mesh_view *pieces, size_t piece_count, const struct gusset_trim_options *options,
     struct gusset_trim **trim);

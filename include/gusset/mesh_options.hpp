@@ -332,7 +332,7 @@ inline gusset_trim_options as_c(const TrimOptions &options) {
 }
 gusset_trim_options as_c(const TrimOptions &&) = delete;
 
-/// What gusset_join_options points to.
+/// The options that gusset_join_options points to.
 struct JoinOptionsNested {
     gusset_weld_options weld_options;
     gusset_stitch_options strip_options;

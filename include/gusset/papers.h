@@ -269,8 +269,8 @@ typedef struct gusset_winged_faces_view {
 
 /// Makes the winged-edge tables of a mesh, and finds its boundary loops by Nesterenko's algorithm 1.
 /// An edge with three or more faces, or two in the same direction, becomes several marked records of one face each. A
-/// stitched mesh keeps the edge numbers of its first mesh. The loops are those of gusset_boundary_create, except that
-/// an edge with inconsistent faces is a boundary on both sides.
+/// stitched mesh keeps the edge numbers of its first mesh. The loops equal the result of gusset_boundary_create, except
+/// that an edge with inconsistent faces is a boundary on both sides.
 /// @errors as gusset_mesh_view
 /// @complexity O(H log d) for H half-edges and at most d edges at a vertex; linear memory.
 /// @source Nesterenko, equations 1-3 and algorithm 1; criterion 3 as "exactly one of L, R is NULL", as the text has it.

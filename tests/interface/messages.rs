@@ -94,13 +94,16 @@ fn sentences_say_what_is_wrong() {
     let surface = Surface::new(vec![sheet], None, &Job::default()).unwrap();
     let said = |line: Line| surface.first_hits(&[line], &Job::default()).unwrap_err().to_string();
     let (origin, up) = (DVec3::ZERO, DVec3::Z);
-    assert_eq!(said(Line::ray(origin, DVec3::ZERO)), "line 0 has no direction");
-    assert_eq!(said(Line::ray(origin, DVec3::X * 1e-170)), "line 0 has no direction: 1e-170");
-    assert_eq!(said(Line::ray(DVec3::Y * -1e200, up)), "line 0 begins beyond 1e150: -1e200");
-    assert_eq!(said(Line { to: -1.0, ..Line::ray(origin, up) }), "line 0 has no points between its ends");
+    assert_eq!(said(Line::ray(origin, DVec3::ZERO)), "line 0 needs a direction with a length from 1e-150 to 1e150");
+    assert_eq!(
+        said(Line::ray(origin, DVec3::X * 1e-170)),
+        "line 0 needs a direction with a length from 1e-150 to 1e150: 1e-170"
+    );
+    assert_eq!(said(Line::ray(DVec3::Y * -1e200, up)), "line 0 needs an origin with coordinates up to 1e150: -1e200");
+    assert_eq!(said(Line { to: -1.0, ..Line::ray(origin, up) }), "line 0 needs `from` to be at most `to`");
     assert_eq!(
         said(Line { from: 2.5, to: 1.0, ..Line::new(origin, up) }),
-        "line 0 has no points between its ends: 2.5"
+        "line 0 needs `from` to be at most `to`: 2.5"
     );
     let offsets = Error::BadOffsets { entry: 2, value: 4 }.to_string();
     assert_eq!(offsets, "offset 2 is 4: offsets must not decrease, and the last must be the number of elements");

@@ -318,7 +318,7 @@ pub enum Error {
         /// The first node that the two nets identify with different nodes.
         node: u32,
     },
-    /// A line starts beyond 1e150, lacks a direction, or has no points between its ends.
+    /// A line starts beyond 1e150, lacks a direction, or ends before it begins.
     #[error("line {line} {why}{}", if *.value == 0.0 { String::new() } else { format!(": {}", Number(.value)) })]
     BadLine {
         line: u64,
