@@ -4,7 +4,7 @@
 Other threads run during a call, and Ctrl-C stops it. Bad input raises :class:`InputError` with the element at fault.
 """
 
-from . import choices, filters
+from . import choices, fields, filters
 from ._handles import Handle, Origins, Result
 from ._library import lib as _lib
 from ._library import text as _text
@@ -12,6 +12,9 @@ from ._options import (
     AlignmentOptions, BoundaryOptions, ConcatenateOptions, ContourOptions, DevelopOptions, FillOptions, IntersectionOptions, JoinOptions,
     NearestOptions, NetMeshOptions, OffsetOptions, OrientOptions, OutlineOptions, SheetMeshOptions, StitchOptions, SurfaceOptions,
     TrimOptions, WeldOptions,
+)
+from ._options import (
+    FacingOptions, FrameOptions, NetPrimitive, PlanariseOptions, SettleOptions, StreamOptions, StripOptions, WingedOptions,
 )
 from ._plugin import Curves
 from ._records import FlagArray, Record, RecordArray
@@ -23,15 +26,34 @@ from ._reports import (
     SurfaceNearestPoint, SurfaceNearestPointArray, SurfacePathsView, SurfacePlace, SurfacePlaceArray, SurfacePoint, SurfacePointArray,
     SurfaceReport, TrimmedPiece, TrimView, WeldReport,
 )
+from ._reports import (
+    Bridge, BridgeProperties, DistanceReport, FacingView, FrameView, GluingOccurrence, GluingOccurrenceArray, NearestAngleReport,
+    NetAnalysisView, NetComplexView, NetFinding, NetFindingArray, NetGridView, NetGroupsView, NetPlanarityReport, NetValidationView,
+    OutlineReport, PlanariseReport, SceneEntryReport, SceneInstance, SceneInstanceArray, SceneReport, Seam, SeamArray, SettleReport,
+    SheetMeasures, StreamReport, StripReport, SurfaceCell, SurfaceCellArray, SurfaceCellsView, SurfacePointsView, Transform, TransformArray,
+    WingedEdge, WingedEdgeArray, WingedFacesView, WingedView,
+)
+from .analysing import NetAnalysis, NetComplex, NetValidation
+from .curves import CurvePoints, CurveSpline
+from .encoding import stream_inspect
 from .errors import Cancelled, Error, InputError, OutOfMemory
+from .fields import Field
+from .frame import Frame
+from .gluing import Gluing, LocalGluing, NetGroups, seam
 from .joining import (
     Alignment, Boundary, Check, Development, Fill, Join, Orient, Sew, Stitch, Trim, Weld, align, boundary_loops, check, develop, fill,
     join, orient, sew, stitch, trim, weld,
 )
+from .loops import Facing, Strip, facing, find_merge, meridians_index, strip
 from .mesh import Mesh, MeshLike, as_mesh
 from .net import Net, NetMesh
-from .outline import Curve, Outline, Places
+from .outline import Curve, Outline, Places, find_sections
+from .querying import Line, Plane, SurfaceCells, SurfacePoints
+from .reshaping import DecimatedNet, NetGrid
+from .scene import Scene
+from .stream import StreamDecoder
 from .surface import Sheet, SheetMesh, Surface, SurfaceHits, SurfacePaths
+from .winged_edges import Winged, WingedFaces, winged, winged_faces
 
 __version__ = _text(_lib.gusset_version())
 
@@ -49,4 +71,15 @@ __all__ = [
     "SurfacePaths", "SurfacePathsView", "SurfacePlace", "SurfacePlaceArray", "SurfacePoint", "SurfacePointArray", "SurfaceReport", "Trim",
     "TrimOptions", "TrimView", "TrimmedPiece", "Weld", "WeldOptions", "WeldReport", "align", "as_mesh", "boundary_loops", "check",
     "choices", "develop", "fill", "filters", "join", "orient", "sew", "stitch", "trim", "weld",
+]
+__all__ += [
+    "Bridge", "BridgeProperties", "CurvePoints", "CurveSpline", "DecimatedNet", "DistanceReport", "Facing", "FacingOptions", "FacingView", "Field",
+    "Frame", "FrameOptions", "FrameView", "Gluing", "GluingOccurrence", "GluingOccurrenceArray", "Line", "LocalGluing", "NearestAngleReport",
+    "NetAnalysis", "NetAnalysisView", "NetComplex", "NetComplexView", "NetFinding", "NetFindingArray", "NetGrid", "NetGridView", "NetGroups",
+    "NetGroupsView", "NetPlanarityReport", "NetPrimitive", "NetValidation", "NetValidationView", "OutlineReport", "PlanariseOptions",
+    "PlanariseReport", "Plane", "Scene", "SceneEntryReport", "SceneInstance", "SceneInstanceArray", "SceneReport", "Seam", "SeamArray",
+    "SettleOptions", "SettleReport", "SheetMeasures", "StreamDecoder", "StreamOptions", "StreamReport", "Strip", "StripOptions", "StripReport",
+    "SurfaceCell", "SurfaceCellArray", "SurfaceCells", "SurfaceCellsView", "SurfacePoints", "SurfacePointsView", "Transform", "TransformArray",
+    "Winged", "WingedEdge", "WingedEdgeArray", "WingedFaces", "WingedFacesView", "WingedOptions", "WingedView", "facing", "fields",
+    "find_merge", "find_sections", "meridians_index", "seam", "stream_inspect", "strip", "winged", "winged_faces",
 ]

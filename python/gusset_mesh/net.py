@@ -2,28 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import cached_property
-from typing import Any, Optional, Union
+from collections.abc import Iterable, Sequence
+from typing import Optional, Union
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ._arrays import pointer
 from ._call import Progress, call
-from ._handles import Handle, Result, create, result
+from ._handles import Result, create, result
 from ._keywords import options as structs
-from ._library import bits_of, ffi, lib, number_of, one_of
+from ._library import bits_of, ffi, lib
 from ._options import ConcatenateOptions, NetMeshOptions, Unpack
-from ._records import lent
 from ._reports import NetMeasureReport, NetMeshReport
-from .choices import NUMBERS, Direction, Interpolation, Sides
-from .errors import error
+from .analysing import NetAnalysing
+from .bridges import NetBridges
+from .choices import NUMBERS, NetMeasures, Sides
+from .deforming import NetDeforming
+from .encoding import NetEncoding
+from .gluing import NetGluing
 from .mesh import MeshLike, as_mesh, view_of
+from .reshaping import NetReshaping
 
 __all__ = ["Net", "NetMesh"]
-
-_FLIPS = {"right": lib.GUSSET_NET_TURN_FLIP_COLUMNS, "down": lib.GUSSET_NET_TURN_FLIP_ROWS}
 
 
 class NetMesh(Result[NetMeshReport]):
@@ -32,7 +33,7 @@ class NetMesh(Result[NetMeshReport]):
     REPORT = NetMeshReport
 
 
-class Net(Handle):
+class Net(NetReshaping, NetDeforming, NetGluing, NetBridges, NetAnalysing, NetEncoding):
     """A regular net.
 
     Args:
@@ -70,17 +71,6 @@ class Net(Handle):
         super().__init__(create("net", view, glued, lib.GUSSET_NET_MEMORY_COPY))
 
     @classmethod
-    def _of(cls, handle: Any) -> Net:
-        made = cls.__new__(cls)
-        Handle.__init__(made, handle)
-        return made
-
-    def _copied(self, **fields: int) -> Net:
-        """A copy, changed by the fields of gusset_net_copy_options."""
-        given = ffi.new("struct gusset_net_copy_options *", {"struct_size": ffi.sizeof("struct gusset_net_copy_options"), **fields})
-        return self._of(create("net", self._handle, given, name="net_copy"))
-
-    @classmethod
     def from_heights(
         cls, heights: ArrayLike, spacing: Sequence[float] = (1.0, 1.0), origin: Sequence[float] = (0.0, 0.0, 0.0),
         no_data: Optional[float] = None
@@ -111,63 +101,15 @@ class Net(Handle):
         given.has_face, given.face = 1, face
         return cls._of(create("net", view_of(as_mesh(mesh)), given, ffi.NULL, name="net_from_mesh"))
 
-    @cached_property
-    def _view(self) -> Any:
-        view = ffi.new("struct gusset_net_view *")
-        view.struct_size = ffi.sizeof("struct gusset_net_view")
-        status = lib.gusset_net_get_view(self._handle, view)
-        if status != 0:
-            raise error(status, "")
-        return view
-
-    @property
-    def shape(self) -> tuple[int, int]:
-        """Rows and columns of nodes."""
-        return self._view.rows, self._view.columns
-
-    @property
-    def nodes(self) -> NDArray[Any]:
-        """(rows, columns, 3): a copy of the nodes."""
-        view = self._view
-        dtype = np.dtype(np.float32 if view.scalar == lib.GUSSET_F32 else np.float64)
-        rows, columns = self.shape
-        across = view.column_stride or dtype.itemsize
-        down = view.row_stride or columns * across
-        out = np.empty((rows, columns, 3), dtype)
-        for k, start in enumerate((view.x, view.y, view.z)):
-            span = ((rows - 1) * down + (columns - 1) * across) // dtype.itemsize + 1
-            flat = lent(start, (span,), dtype, self._handle)
-            out[..., k] = np.lib.stride_tricks.as_strided(flat, (rows, columns), (down, across), writeable=False)
-        return out
-
-    def measure(self) -> NetMeasureReport:
-        """Measures area, volume, area vector and bounding box."""
+    def measure(self, measures: Union[NetMeasures, Iterable[NetMeasures]] = "extent") -> NetMeasureReport:
+        """Measures area, volume, area vector and bounding box; with other words bilinear patches, or the body that a closed net encloses."""
         made = NetMeasureReport.new()
-        call(lib.gusset_net_measure, self._handle, lib.GUSSET_NET_MEASURES_EXTENT, made._struct)
+        call(lib.gusset_net_measure, self._handle, bits_of(NUMBERS["gusset_net_measures"], "measures", measures), made._struct)
         return made
 
     def mesh(self, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[NetMeshOptions]) -> NetMesh:
         """Makes a mesh of quads or triangles. Glued nodes become one vertex."""
         return NetMesh(result("net_to_mesh", self._handle, structs("net_mesh_options", options), threads=threads, progress=progress))
-
-    def resampled(self, rows: int, columns: int, interpolation: Interpolation = "bicubic") -> Net:
-        """Interpolates the net with other numbers of rows and columns."""
-        between = number_of("gusset_interpolation", "interpolation", interpolation)
-        return self._of(create("net", self._handle, rows, columns, between, name="net_resample"))
-
-    def transposed(self) -> Net:
-        """Exchanges rows and columns."""
-        return self._copied(turn=lib.GUSSET_NET_TURN_TRANSPOSE)
-
-    def flipped(self, direction: Direction = "right") -> Net:
-        """Reverses the order of columns or rows."""
-        return self._copied(turn=one_of(_FLIPS, "direction", direction))
-
-    def displaced(self, distance: float) -> Net:
-        """Moves a copy along the normals."""
-        copy = self._copied()
-        call(lib.gusset_net_displace, copy._handle, float(distance))
-        return copy
 
     @classmethod
     def concatenate(cls, nets: Sequence[Net], **options: Unpack[ConcatenateOptions]) -> Net:

@@ -9,49 +9,29 @@ from typing import Any, Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import indices_of, pointer
+from ._arrays import pointer
 from ._call import Progress, call
+from ._exchange import handle_of
 from ._handles import Reported, create
 from ._keywords import options as structs
 from ._library import bits_of, ffi, holding, lib, number_of
 from ._options import OffsetOptions, OutlineOptions, Unpack
-from ._reports import CurveFormView, CurveMeasures, CurveNearestPointArray, CurveView, OutlineView, PlacesView
+from ._outlines import in_space, outlines_of
+from ._records import words
+from ._reports import CurveMeasures, CurveNearestPointArray, OutlineReport, OutlineView
 from .choices import NUMBERS, CurveMeasureFlags, SampleRule
+from .curves import CurveQueries, Places
 
-__all__ = ["Curve", "Outline", "Places"]
-
-
-def _in_space(points: ArrayLike) -> NDArray[np.float64]:
-    """Points as (n, 3); points (n, 2) get z = 0."""
-    array = np.asarray(points, np.float64)
-    if array.ndim != 2 or array.shape[1] not in (2, 3):
-        raise ValueError(f"points have the shape {array.shape}, not (n, 2) or (n, 3)")
-    return np.ascontiguousarray(array if array.shape[1] == 3 else np.pad(array, ((0, 0), (0, 1))))
+__all__ = ["Curve", "Outline", "Places", "find_sections"]
 
 
-class Places(Reported[PlacesView]):
-    """Places on a curve."""
-
-    REPORT = PlacesView
-
-    @property
-    def points(self) -> NDArray[np.float64]:
-        """(n, 3): the points at the places."""
-        return self.report.points
-
-    def __len__(self) -> int:
-        return len(self.report.places)
-
-
-class Curve(Reported[CurveView]):
+class Curve(CurveQueries):
     """A curve of Bezier segments in the plane or in space."""
-
-    REPORT = CurveView
 
     @classmethod
     def through(cls, points: ArrayLike, *, closed: bool = False) -> Curve:
         """Makes the curve that a surface has through these nodes (n, 3)."""
-        nodes = _in_space(points)
+        nodes = in_space(points)
         at = holding(ffi.cast("double *", pointer(nodes)), nodes)
         return cls(create("curve", at, len(nodes), int(closed), 0, name="curve_through"))
 
@@ -90,24 +70,20 @@ class Curve(Reported[CurveView]):
 
     def nearest(self, points: ArrayLike) -> CurveNearestPointArray:
         """Finds the nearest point of the curve for each of (n, 3) points."""
-        queries = _in_space(points)
+        queries = in_space(points)
         out = CurveNearestPointArray.zeros(len(queries))
         call(lib.gusset_curve_nearest, self._handle, ffi.cast("double *", pointer(queries)), len(queries), out.pointer())
         return out
 
-    def intersect(self, other: Curve, within: float = 0.0) -> Places:
-        """Finds the places where two curves meet, or are within a distance of each other."""
-        return Places(create("places", self._handle, other._handle, float(within), name="curve_intersect"))
+    def intersect(self, other: Optional[Curve] = None, within: float = 0.0) -> Places:
+        """Finds the places where two curves meet, or are within a distance of each other. Without another curve: where a plane curve meets itself."""
+        second = ffi.NULL if other is None else handle_of("curve", other)
+        return Places(create("places", self._handle, second, float(within), name="curve_intersect"))
 
     def offset(self, distance: float, **options: Unpack[OffsetOptions]) -> Curve:
         """Makes the curve at a distance to the left."""
         given: dict[str, Any] = {"tolerance": 1e-6 * float(np.ptp(self.controls, axis=0).max() or 1), **options}
         return Curve(create("curve", self._handle, float(distance), structs("offset_options", given), ffi.NULL, name="curve_offset"))
-
-    def svg(self) -> str:
-        """The curve as the data of an SVG path."""
-        form = create("curve_form", self._handle, lib.GUSSET_CURVE_FORMAT_SVG, 0.0, name="curve_export")
-        return CurveFormView.read(form).text
 
 
 class Outline(Reported[OutlineView]):
@@ -133,30 +109,7 @@ class Outline(Reported[OutlineView]):
         self, points: ArrayLike, closed: bool = False, *, tangents: Optional[Mapping[int, ArrayLike]] = None,
         corners: ArrayLike = (), threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[OutlineOptions],
     ):
-        array = np.asarray(points, np.float64)
-        if array.ndim != 2 or array.shape[1] not in (2, 3):
-            raise ValueError(f"points have the shape {array.shape}, not (n, 2) or (n, 3)")
-        if array.size and (array.strides[1] != 8 or array.strides[0] < 8 * array.shape[1]):
-            array = np.ascontiguousarray(array)
-        demands: dict[int, list[float]] = {int(k): [] for k in indices_of(np.asarray(corners, np.int64) if np.size(corners) == 0 else corners, "corners")}
-        for k, tangent in (tangents or {}).items():
-            direction = np.asarray(tangent, np.float64)
-            if direction.shape not in ((2,), (3,)):
-                raise ValueError(f"a tangent has the shape {direction.shape}, not (2,) or (3,)")
-            if k in demands:
-                raise ValueError(f"point {k} is a corner and has a tangent")
-            demands[int(k)] = [*direction.tolist(), 0.0][:3]
-        given = ffi.new("struct gusset_constraint[]", max(len(demands), 1))
-        for place, (k, direction_) in enumerate(sorted(demands.items())):
-            given[place].point = k
-            given[place].kind = lib.GUSSET_CONSTRAINT_TANGENT if direction_ else lib.GUSSET_CONSTRAINT_CORNER
-            given[place].tangent = direction_
-        outlines = ffi.new("struct gusset_outlines *")
-        outlines.struct_size = ffi.sizeof("struct gusset_outlines")
-        outlines.points, outlines.point_stride, outlines.point_count = pointer(array), array.strides[0] if array.size else 0, len(array)
-        outlines.dimension, outlines.closed = array.shape[1], int(closed)
-        if demands:
-            outlines.constraints, outlines.constraint_count = given, len(demands)
+        outlines = outlines_of(points, closed, tangents, corners)
         super().__init__(create("outline", outlines, structs("outline_options", options), threads=threads, progress=progress))
 
     @cached_property
@@ -168,3 +121,26 @@ class Outline(Reported[OutlineView]):
     def statuses(self) -> NDArray[np.str_]:
         """The outcome at each point: ``"ok"``, or the reason why the curve differs from the request."""
         return self.report.statuses
+
+    @cached_property
+    def fit(self) -> OutlineReport:
+        """How well the curve fits: its outcome, residuals, and the angles at its joints."""
+        return OutlineReport.read(self._handle, 0)
+
+
+def find_sections(
+    points: ArrayLike, closed: bool = False, *, tangents: Optional[Mapping[int, ArrayLike]] = None, **options: Unpack[OutlineOptions]
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.str_]]:
+    """Finds the section of each point: the quadratic through it and its two neighbours, with its control point on the method's guide.
+
+    Returns:
+        (n, 3) control points, (n,) parameters of the points on their sections, and (n,) outcomes, ``"ok"`` or the reason.
+
+    >>> find_sections([[0, 0], [1, 1], [2, 0]], method="median")[0][1].tolist()
+    [1.0, 2.0, 0.0]
+    """
+    given = outlines_of(points, closed, tangents)
+    controls, parameters, statuses = np.zeros((given.point_count, 3)), np.zeros(given.point_count), np.zeros(given.point_count, np.uint8)
+    call(lib.gusset_outlines_find_sections, given, structs("outline_options", options), ffi.cast("double *", pointer(controls)),
+         ffi.cast("double *", pointer(parameters)), ffi.cast("uint8_t *", pointer(statuses)), ffi.NULL)
+    return controls, parameters, words(statuses, "gusset_point_status")

@@ -10,26 +10,19 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import pointer
 from ._call import Progress, call
+from ._exchange import LINE, handle_of, lines_of, vector
 from ._handles import Reported, Result, create, result
 from ._keywords import options as structs
 from ._library import ffi, holding, lib, number_of
 from ._options import ContourOptions, IntersectionOptions, NearestOptions, SheetMeshOptions, SurfaceOptions, Unpack
-from ._records import dtype_of
-from ._reports import (SheetMeshReport, SheetReport, SurfaceHitArray, SurfaceHitsView, SurfaceNearestPointArray, SurfacePathsView,
-                       SurfacePlaceArray, SurfacePointArray, SurfaceReport)
+from ._reports import (SheetMeshReport, SurfaceHitArray, SurfaceHitsView, SurfaceNearestPointArray, SurfacePathsView, SurfacePlaceArray,
+                       SurfacePointArray)
 from .choices import HitSelection, Scheme
+from .outline import Curve
+from .querying import SurfaceQueries
+from .sheets import GivenTwists, SheetMaking, tangents_of
 
 __all__ = ["Sheet", "SheetMesh", "Surface", "SurfaceHits", "SurfacePaths"]
-
-_LINE = dtype_of(ffi.typeof("struct gusset_line"))
-
-
-def _vector(values: ArrayLike) -> list[float]:
-    array = np.asarray(values, np.float64).reshape(-1)
-    if array.shape != (3,):
-        raise ValueError(f"x, y and z are wanted, not {array.size} numbers")
-    numbers: list[float] = array.tolist()
-    return numbers
 
 
 class SheetMesh(Result[SheetMeshReport]):
@@ -38,19 +31,23 @@ class SheetMesh(Result[SheetMeshReport]):
     REPORT = SheetMeshReport
 
 
-class Sheet(Reported[SheetReport]):
+class Sheet(SheetMaking):
     """A smooth surface through a grid of nodes.
 
     Args:
         nodes: (rows, columns, 3), 32- or 64-bit floats.
+        tangents: tangents at the nodes, two arrays like the nodes: towards the next row, and towards the next column. Without them the scheme
+            applies.
+        twists: rule for the mixed derivatives of a surface with tangents, or an array of them like the nodes.
         closed_u: whether the surface is closed from the last row to the first. The last row repeats the first.
         closed_v: the same for columns.
         scheme: interpolation between the nodes.
     """
 
-    REPORT = SheetReport
-
-    def __init__(self, nodes: ArrayLike, *, closed_u: bool = False, closed_v: bool = False, scheme: Scheme = "six_tap"):
+    def __init__(
+        self, nodes: ArrayLike, tangents: Optional[tuple[ArrayLike, ArrayLike]] = None, *, twists: GivenTwists = "differences",
+        closed_u: bool = False, closed_v: bool = False, scheme: Scheme = "six_tap",
+    ):
         array = np.asarray(nodes)
         if array.dtype not in (np.float32, np.float64):
             array = array.astype(np.float64)
@@ -66,7 +63,7 @@ class Sheet(Reported[SheetReport]):
             given.row_stride, given.column_stride = array.strides[:2]
         given.scalar = lib.GUSSET_F32 if array.dtype == np.float32 else lib.GUSSET_F64
         given.scheme, given.closed_u, given.closed_v = number_of("gusset_scheme", "scheme", scheme), int(closed_u), int(closed_v)
-        super().__init__(create("sheet", given, ffi.NULL, 0))
+        super().__init__(create("sheet", given, tangents_of(tangents, twists, array.shape), 0))
 
     def mesh(self, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[SheetMeshOptions]) -> SheetMesh:
         """Makes a mesh within ``tolerance``, with at least ``min_u`` times ``min_v`` parts of each cell."""
@@ -121,7 +118,7 @@ class SurfaceHits(Reported[SurfaceHitsView]):
         return self.report.ends
 
 
-class Surface(Reported[SurfaceReport]):
+class Surface(SurfaceQueries):
     """One or several sheets, with an index for queries.
 
     Args:
@@ -138,8 +135,6 @@ class Surface(Reported[SurfaceReport]):
     >>> bool(np.allclose(curves[0][:, 2], 0.2))
     True
     """
-
-    REPORT = SurfaceReport
 
     def __init__(
         self, sheets: Union[Sheet, Sequence[Sheet], ArrayLike], *, threads: int = 0, progress: Optional[Progress] = None,
@@ -170,7 +165,7 @@ class Surface(Reported[SurfaceReport]):
         **options: Unpack[ContourOptions]
     ) -> SurfacePaths:
         """Intersects the surface with parallel planes: through ``point``, at increasing ``offsets`` along ``normal``."""
-        height = {"kind": lib.GUSSET_CONTOUR_HEIGHT, "point": _vector(point), "direction": _vector(normal)}
+        height = {"kind": lib.GUSSET_CONTOUR_HEIGHT, "point": vector(point), "direction": vector(normal)}
         return self._contours(height, offsets, options, threads, progress)
 
     def contours(
@@ -192,7 +187,7 @@ class Surface(Reported[SurfaceReport]):
         progress: Optional[Progress] = None, **options: Unpack[ContourOptions]
     ) -> SurfacePaths:
         """Draws the curves where normals make angles with a direction. A right angle gives the silhouette."""
-        angle = {"kind": lib.GUSSET_CONTOUR_ANGLE, "direction": _vector(direction), "unsigned_normals": int(unsigned_normals)}
+        angle = {"kind": lib.GUSSET_CONTOUR_ANGLE, "direction": vector(direction), "unsigned_normals": int(unsigned_normals)}
         return self._contours(angle, angles, options, threads, progress)
 
     def _contours(
@@ -205,24 +200,24 @@ class Surface(Reported[SurfaceReport]):
                                    name="surface_contours", threads=threads, progress=progress))
 
     def intersect(
-        self, other: Surface, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[IntersectionOptions]
+        self, other: Optional[Surface] = None, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[IntersectionOptions]
     ) -> SurfacePaths:
-        """Intersects two surfaces."""
-        return SurfacePaths(create("surface_paths", self._handle, other._handle, structs("intersection_options", options),
+        """Intersects two surfaces. Without another surface: finds where this one meets itself."""
+        second = ffi.NULL if other is None else handle_of("surface", other)
+        return SurfacePaths(create("surface_paths", self._handle, second, structs("intersection_options", options),
                                    name="surface_intersection", threads=threads, progress=progress))
 
     def hits(
-        self, origins: ArrayLike, directions: ArrayLike, *, start: float = 0.0, end: float = np.inf,
+        self, origins: ArrayLike = (), directions: ArrayLike = (), *, curve: Optional[Curve] = None, start: float = 0.0, end: float = np.inf,
         selection: HitSelection = "all", threads: int = 0, progress: Optional[Progress] = None,
     ) -> SurfaceHits:
-        """Intersects the surface with the points ``origins + t * directions``, for t from ``start`` to ``end``."""
-        starts, along = (np.atleast_2d(np.asarray(one, np.float64)) for one in (origins, directions))
-        if starts.shape[-1] != 3 or along.shape[-1] != 3:
-            raise ValueError("origins and directions are (n, 3)")
-        starts, along = np.broadcast_arrays(starts, along)
-        lines = np.zeros(len(starts), _LINE)
-        lines["origin"], lines["direction"], lines["from"], lines["to"] = starts, along, start, end
-        return SurfaceHits(create("surface_hits", self._handle, ffi.cast("struct gusset_line *", pointer(lines)), len(lines), ffi.NULL,
+        """Intersects the surface with the points ``origins + t * directions``, for t from ``start`` to ``end``, and with a curve.
+
+        The hits of the curve come last; ``report.on_curve`` has their places on it.
+        """
+        lines = lines_of(origins, directions, start, end) if np.size(origins) or np.size(directions) else np.zeros(0, LINE)
+        along = ffi.NULL if curve is None else handle_of("curve", curve)
+        return SurfaceHits(create("surface_hits", self._handle, ffi.cast("struct gusset_line *", pointer(lines)), len(lines), along,
                                   number_of("gusset_hit_selection", "selection", selection), threads=threads, progress=progress))
 
     def evaluate(self, parameters: ArrayLike, sheet: int = 0) -> SurfacePointArray:

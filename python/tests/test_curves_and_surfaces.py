@@ -71,11 +71,11 @@ def test_nets_keep_their_nodes():
     for array in (nodes, nodes.astype(np.float32), np.asfortranarray(nodes), nodes[:, ::-1], nodes.transpose(1, 0, 2)):
         net = gm.Net(array)
         assert np.array_equal(net.nodes, array) and net.nodes.dtype == array.dtype
-        assert np.array_equal(net.transposed().nodes, array.transpose(1, 0, 2))
-    assert np.array_equal(gm.Net(nodes).flipped("right").nodes, nodes[:, ::-1])
-    assert gm.Net(nodes).resampled(9, 13).shape == (9, 13)
+        assert np.array_equal(net.transpose().nodes, array.transpose(1, 0, 2))
+    assert np.array_equal(gm.Net(nodes).flip("right").nodes, nodes[:, ::-1])
+    assert gm.Net(nodes).resample(9, 13).shape == (9, 13)
     assert gm.Net.concatenate([gm.Net(nodes), gm.Net(nodes + [0, 1.5, 0])]).shape == (5, 14)
-    assert np.allclose(np.abs(gm.Net(shapes.grid(4, 4)).displaced(0.25).nodes[..., 2]), 0.25)
+    assert np.allclose(np.abs(gm.Net(shapes.grid(4, 4)).displace(0.25).nodes[..., 2]), 0.25)
     again = gm.Net.from_mesh(gm.Net(nodes).mesh().mesh)
     assert sorted(again.shape) == [5, 7]
     heights = gm.Net.from_heights(np.array([[1.0, 2], [3, np.nan]]), spacing=(2, 3))
