@@ -42,3 +42,20 @@ def reports() -> None:
     filled.report.wholes  # type: ignore[attr-defined]
     surface.nearest(points).flags["certain"]  # type: ignore[index]
     filled.holes[0].status == "full"  # type: ignore[comparison-overlap]
+ring: gm.Net = gm.Net.primitive(shape="torus", radius=2, minor_radius=0.5).deform(gm.fields.twist("z", 0.1).with_keys([0, 1], [0, 1], "smooth"), time=0.5)
+planar, planarity = ring.glue(gm.LocalGluing.star(3, "east"))[1:4, :].planarise(keep_boundary=True)
+deviation: float = planarity.deviation_after
+kinds: NDArray[np.str_] = planar.gluing_occurrences().kind
+decimated: gm.Net = ring.decimate(0.1).net
+rest: bool = gm.Net.concatenate([ring, ring]).set_bridge(0, "hide", tension=1.0).settle(free=[True, False])[1].converged
+euler: int = ring.complex(cells="present").report.euler
+scene_entries: NDArray[np.uint32] = gm.Scene().world_transforms().entry
+again: gm.Net = gm.Net.decode(ring.encode(mode="quantised", bits=12))
+frame = gm.Frame([np.eye(3), np.eye(3) + 1], closed=True, correspondence="arc_length", columns=8)
+girth: float = frame.slice([0.8, 0.8, 0.8], [1, 1, 1]).curve.length
+skin: gm.Sheet = gm.Sheet.from_curves([frame.curve_across(0), frame.curve_across(1)])
+moved: gm.Sheet = skin.offset(0.1)[0]
+bound: float = surface.distance(gm.Plane([0, 0, 1], [0, 0, 1])).bound
+hit_points: NDArray[np.float64] = surface.first_hits(points, np.eye(3)).point
+crossings: NDArray[np.float64] = frame.curve_across(0).part(0.5, 1.5).intersect_line([0, 0, 0], [1, 0, 0]).points
+loops_of_edges: list[NDArray[np.uint32]] = gm.winged(mesh, winding="clockwise").loops

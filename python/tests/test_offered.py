@@ -1,0 +1,67 @@
+"""Every function of C is offered in Python, or is listed here with the reason why not."""
+
+import ast
+import pathlib
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PACKAGE = ROOT / "python/gusset_mesh"
+
+#: What Python does without on purpose. The name of a new C function is added to the package, or here.
+WITHOUT = {
+    "gusset_abi": "the package has the library that it was built with",
+    "gusset_context_get_progress": "progress= is called with it",
+    "gusset_context_set_log": "reports say the same",
+    "gusset_net_edit": "nets do not change: Net(nodes) makes another",
+    "gusset_net_read": "Net.nodes is an array of numpy's",
+    "gusset_sheet_mask_chain": "a search of the papers, which Surface answers faster",
+    "gusset_sheet_mask_elements": "the same",
+    "gusset_sheet_mask_measure": "the same",
+    "gusset_sheet_reference_mask": "the same",
+    "gusset_curve_reference_mask": "the same",
+    "gusset_sheet_normals_by_sections": "normals as a paper has them: Surface.evaluate gives exact ones",
+}
+
+
+def called(sources):
+    """The names of the C functions that modules call: by name, by what they create, or to read reports."""
+    found, kinds, getters, read = set(), set(), {}, set()
+    for source in sources:
+        for node in ast.walk(ast.parse(source)):
+            if isinstance(node, ast.ClassDef):
+                getters |= {node.name: one.value.value for one in node.body if isinstance(one, ast.Assign) and one.targets[0].id == "_GETTER"}
+            elif isinstance(node, ast.Attribute) and node.attr.startswith("gusset_"):
+                found.add(node.attr)
+            elif isinstance(node, ast.Attribute) and node.attr == "read" and isinstance(node.value, ast.Name):
+                read.add(node.value.id)
+            elif isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name) and node.targets[0].id == "REPORT":
+                read.add(node.value.id)
+            elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.args and isinstance(node.args[0], ast.Constant):
+                first = node.args[0].value
+                if node.func.id in ("create", "_create"):
+                    kinds.add(first)
+                    name = next((one.value.value for one in node.keywords if one.arg == "name"), first)
+                    found.add(f"gusset_{name}_create")
+                elif node.func.id in ("result", "_result"):
+                    found |= {f"gusset_{first}", "gusset_result_destroy"}
+    return found | {f"gusset_{kind}_destroy" for kind in kinds} | {getters[name] for name in read & set(getters)}
+
+
+def package():
+    return [path.read_text("utf-8") for path in sorted(PACKAGE.glob("*.py"))]
+
+
+def symbols():
+    return set((ROOT / "include/gusset.symbols").read_text("utf-8").split())
+
+
+def test_every_function_of_c_is_offered_or_listed():
+    listed, offered = symbols(), called(package())
+    assert len(listed) > 200
+    assert listed - offered - set(WITHOUT) == set()
+    # What is offered, or is not in C any more, is no longer on the list.
+    assert set(WITHOUT) & offered == set() and set(WITHOUT) <= listed
+
+
+def test_a_function_that_nobody_calls_is_found():
+    without = [source.replace('"net_morph"', '"net_copy"') for source in package()]
+    assert symbols() - called(without) - set(WITHOUT) == {"gusset_net_morph_create"}
