@@ -6,11 +6,13 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._call import Progress, call
 from ._exchange import sized
 from ._handles import Handle, create
 from ._library import lib
+from ._records import lent
 from .errors import error
 
 if TYPE_CHECKING:
@@ -53,3 +55,19 @@ class NetHandle(Handle):
     def dtype(self) -> np.dtype[Any]:
         """The type of coordinates."""
         return np.dtype(np.float32 if self._view.scalar == lib.GUSSET_F32 else np.float64)
+
+    @property
+    def coordinates(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+        """The x, y and z of all nodes, (rows, columns) each: the arrays of the net, without a copy."""
+        view, (rows, columns), dtype = self._view, self.shape, self.dtype
+        across = view.column_stride or dtype.itemsize
+        down = view.row_stride or columns * across
+        span = ((rows - 1) * down + (columns - 1) * across) // dtype.itemsize + 1
+        flat = (lent(start, (span,), dtype, self._handle) for start in (view.x, view.y, view.z))
+        x, y, z = (np.lib.stride_tricks.as_strided(one, (rows, columns), (down, across), writeable=False) for one in flat)
+        return x, y, z
+
+    @property
+    def nodes(self) -> NDArray[Any]:
+        """(rows, columns, 3): a copy of the nodes."""
+        return np.stack(self.coordinates, axis=2)

@@ -85,7 +85,9 @@ class NetAnalysing(NetHandle):
         call(lib.gusset_net_normals, self._handle, *(pointer(one) for one in out), rows * columns, ffi.NULL, threads=threads, progress=progress)
         return np.moveaxis(out, 0, 2)
 
-    def planarity(self, tolerance: float = 0.0) -> tuple[NDArray[np.float64], NetPlanarityReport]:
+    def planarity(
+        self, tolerance: float = 0.0, *, threads: int = 0, progress: Optional[Progress] = None
+    ) -> tuple[NDArray[np.float64], NetPlanarityReport]:
         """Measures the planarity of all cells: distance of the corners from their mean plane, divided by the longer diagonal.
 
         Args:
@@ -96,7 +98,8 @@ class NetAnalysing(NetHandle):
         """
         rows, columns = self.shape
         cells, written, report = np.zeros((rows - 1, columns - 1)), ffi.new("size_t *"), NetPlanarityReport.new()
-        call(lib.gusset_net_planarity, self._handle, float(tolerance), ffi.cast("double *", pointer(cells)), cells.size, written, report._struct)
+        call(lib.gusset_net_planarity, self._handle, float(tolerance), ffi.cast("double *", pointer(cells)), cells.size, written, report._struct,
+             threads=threads, progress=progress)
         return cells, report
 
     def complex(self, cells: NetCells = "all", *, threads: int = 0, progress: Optional[Progress] = None) -> NetComplex:
@@ -109,9 +112,9 @@ class NetAnalysing(NetHandle):
         """
         return NetComplex(create("net_complex", self._handle, number_of("gusset_net_cells", "cells", cells), threads=threads, progress=progress))
 
-    def validation(self, tolerance: float = 0.0) -> NetValidation:
+    def validation(self, tolerance: float = 0.0, *, threads: int = 0, progress: Optional[Progress] = None) -> NetValidation:
         """Checks that glued nodes coincide within a tolerance, and warns of suspicious gluing."""
-        return NetValidation(create("net_validation", self._handle, float(tolerance)))
+        return NetValidation(create("net_validation", self._handle, float(tolerance), threads=threads, progress=progress))
 
     def analysis(
         self, after: Optional[NetHandle] = None, *, fields: Sequence[Field] = (), time: float = 0.0, tolerance: float = 0.0, threads: int = 0,

@@ -81,13 +81,13 @@ class CurveQueries(Reported[CurveView]):
         return cls(create("curve", ffi.cast("double *", pointer(array)), len(array), array.shape[1], ffi.cast("uint32_t *", pointer(last)), len(last),
                           int(bool(closed))))
 
-    def evaluate(self, places: CurvePlaces, order: int = 0) -> CurvePoints:
+    def evaluate(self, places: CurvePlaces, order: int = 0, *, threads: int = 0, progress: Optional[Progress] = None) -> CurvePoints:
         """Computes points, derivatives up to an order, unit tangents and curvatures at places."""
         at, order = curve_places(places), index(order, "order")
         derivatives = np.zeros((len(at), min(order, 64) + 1, 3))
         tangents, curvatures = np.zeros((len(at), 3)), np.zeros(len(at))
         out = (ffi.cast("double *", pointer(one)) for one in (derivatives, tangents, curvatures))
-        call(lib.gusset_curve_evaluate, self._handle, at.pointer(), len(at), order, *out)
+        call(lib.gusset_curve_evaluate, self._handle, at.pointer(), len(at), order, *out, threads=threads, progress=progress)
         return CurvePoints(derivatives, tangents, curvatures)
 
     def lengths_at(self, places: CurvePlaces) -> NDArray[np.float64]:
@@ -110,20 +110,24 @@ class CurveQueries(Reported[CurveView]):
         call(lib.gusset_curve_places_at, self._handle, ffi.cast("double *", pointer(given)), len(given), out.pointer())
         return out
 
-    def intersect_plane(self, point: ArrayLike, normal: ArrayLike) -> Places:
+    def intersect_plane(self, point: ArrayLike, normal: ArrayLike, *, threads: int = 0, progress: Optional[Progress] = None) -> Places:
         """Finds the places where the curve crosses or touches a plane."""
-        return Places(create("places", self._handle, vector(point, "point"), vector(normal, "normal"), name="curve_intersect_plane"))
+        return Places(create("places", self._handle, vector(point, "point"), vector(normal, "normal"), name="curve_intersect_plane",
+                             threads=threads, progress=progress))
 
     def intersect_line(
-        self, origin: ArrayLike, direction: ArrayLike, within: float = 0.0, *, start: float = -np.inf, end: float = np.inf
+        self, origin: ArrayLike, direction: ArrayLike, within: float = 0.0, *, start: float = -np.inf, end: float = np.inf,
+        threads: int = 0, progress: Optional[Progress] = None,
     ) -> Places:
         """Finds the places where the curve meets a line, or is within a distance of it. ``report.others.t`` has the line's parameters."""
         line = lines_of([vector(origin, "origin")], [vector(direction, "direction")], start, end)
-        return Places(create("places", self._handle, ffi.cast("struct gusset_line *", pointer(line)), float(within), name="curve_intersect_line"))
+        return Places(create("places", self._handle, ffi.cast("struct gusset_line *", pointer(line)), float(within), name="curve_intersect_line",
+                             threads=threads, progress=progress))
 
-    def tangent_angle(self, direction: ArrayLike, angle: float) -> Places:
+    def tangent_angle(self, direction: ArrayLike, angle: float, *, threads: int = 0, progress: Optional[Progress] = None) -> Places:
         """Finds the places where the tangent makes an angle, 0 to pi, with a direction."""
-        return Places(create("places", self._handle, vector(direction, "direction"), float(angle), name="curve_tangent_angle"))
+        return Places(create("places", self._handle, vector(direction, "direction"), float(angle), name="curve_tangent_angle", threads=threads,
+                             progress=progress))
 
     def part(self, start: CurvePlaces, end: CurvePlaces) -> Self:
         """Cuts out the part between two places. On a closed curve it may pass the start.
@@ -148,7 +152,9 @@ class CurveQueries(Reported[CurveView]):
         """Reverses the curve."""
         return type(self)(create("curve", self._handle, name="curve_reverse"))
 
-    def change_degree(self, lowest: int = 1, highest: int = 64, tolerance: float = np.inf) -> tuple[Self, NDArray[np.float64]]:
+    def change_degree(
+        self, lowest: int = 1, highest: int = 64, tolerance: float = np.inf, *, threads: int = 0, progress: Optional[Progress] = None
+    ) -> tuple[Self, NDArray[np.float64]]:
         """Raises and lowers the degrees of segments. Raising is exact; lowering keeps the tolerance.
 
         Returns:
@@ -156,7 +162,7 @@ class CurveQueries(Reported[CurveView]):
         """
         out = np.zeros(max(len(self.report.ends) - 1, 0))
         made = create("curve", self._handle, index(lowest, "lowest"), index(highest, "highest"), float(tolerance),
-                      ffi.cast("double *", pointer(out)), name="curve_change_degree")
+                      ffi.cast("double *", pointer(out)), name="curve_change_degree", threads=threads, progress=progress)
         return type(self)(made), out
 
     def _exported(self, form: int, tolerance: float = 0.0) -> CurveFormView:

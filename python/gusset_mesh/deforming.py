@@ -84,7 +84,9 @@ class NetDeforming(NetHandle):
         """
         return self._changed(lib.gusset_net_displace, float(distance))
 
-    def morph(self, other: Self, t: float, path: MorphPath = "linear") -> Self:
+    def morph(
+        self, other: Self, t: float, path: MorphPath = "linear", *, threads: int = 0, progress: Optional[Progress] = None
+    ) -> Self:
         """Interpolates between this net (t = 0) and another one (t = 1).
 
         Args:
@@ -92,7 +94,8 @@ class NetDeforming(NetHandle):
             path: ``"rigid"`` rotates the net as a whole: a rigidly moved net keeps its shape.
         """
         kind = number_of("gusset_morph_path", "path", path)
-        return self._of(create("net", self._handle, handle_of("net", other), float(t), kind, name="net_morph"))
+        return self._of(create("net", self._handle, handle_of("net", other), float(t), kind, name="net_morph", threads=threads,
+                               progress=progress))
 
     def planarise(
         self, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[PlanariseOptions]

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import indices_of, pointer
-from ._call import call
+from ._call import Progress, call
 from ._exchange import index, listed, sized
 from ._handles import Reported, create
 from ._library import bits_of, ffi, holding, lib, number_of, one_of
@@ -195,7 +195,8 @@ class NetGluing(NetHandle):
         return self._changed(lib.gusset_net_set_gluing, holding(given, bytes_, runs))
 
     def glue(
-        self, *gluings: LocalGluing, links: ArrayLike = (), detect: Optional[float] = None, saturate: bool = False, snap: bool = False
+        self, *gluings: LocalGluing, links: ArrayLike = (), detect: Optional[float] = None, saturate: bool = False, snap: bool = False,
+        threads: int = 0, progress: Optional[Progress] = None,
     ) -> Self:
         """Glues nodes. The steps follow the order detect, gluings, links, saturate, snap.
 
@@ -212,11 +213,14 @@ class NetGluing(NetHandle):
                       link_count=len(contracted), saturate=int(bool(saturate)), snap=int(bool(snap)))
         if detect is not None:
             given.tolerance, given.detect = float(detect), 1
-        return self._changed(lib.gusset_net_glue, holding(given, structs, contracted), ffi.NULL)
+        return self._changed(lib.gusset_net_glue, holding(given, structs, contracted), ffi.NULL, threads=threads, progress=progress)
 
-    def unglue(self, *gluings: LocalGluing, separation: float = 0.0) -> Self:
+    def unglue(
+        self, *gluings: LocalGluing, separation: float = 0.0, threads: int = 0, progress: Optional[Progress] = None
+    ) -> Self:
         """Unglues pairs of nodes. With a separation, the pieces of a point move apart."""
-        return self._changed(lib.gusset_net_unglue, _gluings(gluings), len(gluings), float(separation), ffi.NULL)
+        return self._changed(lib.gusset_net_unglue, _gluings(gluings), len(gluings), float(separation), ffi.NULL,
+                             threads=threads, progress=progress)
 
     def classes(self) -> NDArray[np.uint32]:
         """Returns (rows, columns) numbers: for each node, the first node of its point."""

@@ -87,7 +87,9 @@ def meridians_index(n: int, m: int) -> NDArray[np.uint32]:
     return out
 
 
-def find_merge(mesh: MeshLike, keys: Optional[ArrayLike] = None) -> NDArray[np.uint32]:
+def find_merge(
+    mesh: MeshLike, keys: Optional[ArrayLike] = None, *, threads: int = 0, progress: Optional[Progress] = None
+) -> NDArray[np.uint32]:
     """Finds which vertices of a mesh are one: for each the smallest such vertex. ``merge`` of :class:`Mesh` takes the answer.
 
     Args:
@@ -102,5 +104,5 @@ def find_merge(mesh: MeshLike, keys: Optional[ArrayLike] = None) -> NDArray[np.u
         raise ValueError(f"{len(numbers_)} keys for {given.vertex_count} vertices")
     out = np.zeros(given.vertex_count, np.uint32)
     at = ffi.NULL if numbers_ is None else ffi.cast("uint32_t *", pointer(numbers_))
-    call(lib.gusset_mesh_find_merge, view_of(given), at, ffi.cast("uint32_t *", pointer(out)))
+    call(lib.gusset_mesh_find_merge, view_of(given), at, ffi.cast("uint32_t *", pointer(out)), threads=threads, progress=progress)
     return out

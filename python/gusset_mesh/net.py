@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any, Optional, Union
+from collections.abc import Iterable, Sequence
+from typing import Optional, Union
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ._arrays import pointer
 from ._call import Progress, call
@@ -14,11 +14,10 @@ from ._handles import Result, create, result
 from ._keywords import options as structs
 from ._library import bits_of, ffi, lib
 from ._options import ConcatenateOptions, NetMeshOptions, Unpack
-from ._records import lent
 from ._reports import NetMeasureReport, NetMeshReport
 from .analysing import NetAnalysing
 from .bridges import NetBridges
-from .choices import NUMBERS, Sides
+from .choices import NUMBERS, NetMeasures, Sides
 from .deforming import NetDeforming
 from .encoding import NetEncoding
 from .gluing import NetGluing
@@ -102,25 +101,10 @@ class Net(NetReshaping, NetDeforming, NetGluing, NetBridges, NetAnalysing, NetEn
         given.has_face, given.face = 1, face
         return cls._of(create("net", view_of(as_mesh(mesh)), given, ffi.NULL, name="net_from_mesh"))
 
-    @property
-    def nodes(self) -> NDArray[Any]:
-        """(rows, columns, 3): a copy of the nodes."""
-        view = self._view
-        dtype = np.dtype(np.float32 if view.scalar == lib.GUSSET_F32 else np.float64)
-        rows, columns = self.shape
-        across = view.column_stride or dtype.itemsize
-        down = view.row_stride or columns * across
-        out = np.empty((rows, columns, 3), dtype)
-        for k, start in enumerate((view.x, view.y, view.z)):
-            span = ((rows - 1) * down + (columns - 1) * across) // dtype.itemsize + 1
-            flat = lent(start, (span,), dtype, self._handle)
-            out[..., k] = np.lib.stride_tricks.as_strided(flat, (rows, columns), (down, across), writeable=False)
-        return out
-
-    def measure(self) -> NetMeasureReport:
-        """Measures area, volume, area vector and bounding box."""
+    def measure(self, measures: Union[NetMeasures, Iterable[NetMeasures]] = "extent") -> NetMeasureReport:
+        """Measures area, volume, area vector and bounding box; with other words bilinear patches, or the body that a closed net encloses."""
         made = NetMeasureReport.new()
-        call(lib.gusset_net_measure, self._handle, lib.GUSSET_NET_MEASURES_EXTENT, made._struct)
+        call(lib.gusset_net_measure, self._handle, bits_of(NUMBERS["gusset_net_measures"], "measures", measures), made._struct)
         return made
 
     def mesh(self, *, threads: int = 0, progress: Optional[Progress] = None, **options: Unpack[NetMeshOptions]) -> NetMesh:

@@ -44,7 +44,10 @@ def test_standard_shapes(euler, closed, orientable, options):
 
 
 def test_measures_of_shapes():
-    assert gm.Net.primitive(shape="box", size=(1, 2, 3), cells=(1, 1, 1)).measure().volume == pytest.approx(6)
+    box = gm.Net.primitive(shape="box", size=(1, 2, 3), cells=(1, 1, 1)).translate([5, 0, 0])
+    body = box.measure(["extent", "body"])
+    assert body.volume == pytest.approx(6) and body.body_volume == pytest.approx(6) and np.allclose(body.centroid, [5, 0, 0])
+    assert np.allclose(np.reshape(body.inertia, (3, 3)), np.diag([4 + 9, 1 + 9, 1 + 4]) * 6 / 12)
     fine = gm.Net.primitive(shape="torus", radius=3, minor_radius=1, rows=129, columns=257)
     assert fine.measure().volume == pytest.approx(2 * np.pi**2 * 3, rel=1e-3) and fine.measure().area == pytest.approx(4 * np.pi**2 * 3, rel=1e-3)
 
@@ -199,10 +202,12 @@ def test_a_film_between_rings_is_a_catenoid():
 def test_nets_do_not_change():
     """Each call makes another net; what was lent stays."""
     ball, first = gm.Net.primitive(shape="sphere", radius=1), gm.Net.primitive(shape="sphere", radius=1).nodes
+    lent = ball.coordinates
     ball.mesh()
     for changed in (ball.translate([1, 0, 0]), ball.displace(1), ball.set_gluing("sheet"), ball.glue(detect=0.0), ball.planarise(max_iterations=1)[0],
                     ball.deform(gm.fields.twist("z", 3)), ball.clear_no_data(1.0)):
         assert changed is not ball
+    assert np.array_equal(np.stack(lent, axis=2), first) and not lent[0].flags.writeable
     assert np.array_equal(ball.nodes, first) and ball.gluing.sides == gm.Net.primitive(shape="sphere", radius=1).gluing.sides
 
 
