@@ -16,7 +16,7 @@ pub fn best_rotation(m: DMat3) -> DQuat {
     let greatest = (1..4).fold(0, |best, i| if values[i] > values[best] { i } else { best });
     let [w, x, y, z] = vectors.map(|row| row[greatest]);
     let turn = DQuat::from_xyzw(x, y, z, w).normalize();
-    // Return the quaternion with the smaller angle of the two.
+    // Two quaternions describe the rotation; return the one with the smaller angle.
     if turn.w < 0.0 { -turn } else { turn }
 }
 

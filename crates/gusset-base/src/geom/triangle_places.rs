@@ -40,8 +40,8 @@ impl<'a> TriangleTree<'a> {
         Ok(TriangleTree { points, triangles, order, tree })
     }
 
-    /// Returns the place nearest to a point, if it is nearer than `limit` (squared). Among equally
-    /// near places it returns the first in the order of the tree.
+    /// Returns the place nearest to a point, if it is nearer than `limit` (squared). Ties go to the
+    /// first place in the order of the tree.
     #[inline]
     pub fn nearest(&self, p: DVec3, limit: f64) -> Option<TrianglePlace> {
         self.nearest_beside(p, limit, None)

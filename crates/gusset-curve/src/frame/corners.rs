@@ -60,7 +60,7 @@ pub(super) fn corners(sections: &Outlines<'_>, rows: usize, options: &FrameOptio
     Ok(all)
 }
 
-/// Returns the corners among the points of a row of nodes, by an angle.
+/// Returns the nodes of a row at which the curve turns by more than the options' corner angle.
 pub(super) fn sharp_nodes(row: &[DVec3], closed: bool, options: &Options) -> Result<Vec<u32>> {
     let turns = turns(row.iter().copied(), closed, options.repeat_tolerance)?;
     if options.corner_angle < PI { find_corners(&turns, closed, options.corner_angle) } else { Ok(Vec::new()) }

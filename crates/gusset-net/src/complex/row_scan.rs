@@ -113,8 +113,8 @@ impl<'a> RowScan<'a> {
         let (w, start) = (self.shape.columns(), self.shape.node(i, 0));
         let (marks, next) = self.marks[start as usize..].split_at(w);
         let rim = &mut self.rim;
-        // `with`: whether the face that traverses the link from a to b exists; `against`: the
-        // opposite one.
+        // `with` is 1 if the face that traverses the link from a to b exists, and `against` is 1 if
+        // the opposite face exists.
         let mut link = |a: u32, b: u32, with: u8, against: u8| {
             complex.edges += u64::from(with | against);
             let boundary = if with == 1 { [a, b] } else { [b, a] };

@@ -27,7 +27,8 @@ pub struct Timed<'a> {
 }
 
 impl<'a> Timed<'a> {
-    /// `keys`: time and strength, at least one, times in increasing order.
+    /// Creates a strength from `keys`, pairs of time and strength. There must be at least one key,
+    /// and times must increase.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`].

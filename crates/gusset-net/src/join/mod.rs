@@ -1,9 +1,8 @@
 //! Joining nets side by side, and splitting them again (Deryagin, "Concatenation", Figs. 8 and 9).
 //!
 //! The columns, or rows, of one net follow the columns, or rows, of another. Between them lies a
-//! row of new cells,
-//! the bridge. Nets of different sizes are reformatted first. Invariant: [`Net::split`] restores
-//! the nets bit for bit. O(nodes).
+//! row of new cells, the bridge. Nets of different sizes are reformatted first. Invariant:
+//! [`Net::split`] restores the nets bit for bit. O(nodes).
 //!
 //! The characteristic matrix is not closed under concatenation: the closing links of a net with
 //! closed rows would start at the other net's last column. They become a seam, so that the gluing

@@ -50,7 +50,7 @@ impl Predictor {
         f64::from(self.weights[k]) / f64::from(1u32 << self.fraction)
     }
 
-    /// `before`: the number of earlier coordinates.
+    /// Writes the weights; `before` is the number of earlier coordinates.
     pub(super) fn write(&self, before: usize, to: &mut Writer) -> Result<()> {
         self.weights[..NEIGHBOURS + WEIGHTS_PER_ERROR * before].iter().try_for_each(|&weight| to.signed(weight.into()))
     }

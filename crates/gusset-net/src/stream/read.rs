@@ -36,8 +36,8 @@ pub(super) struct Prelude {
 }
 
 impl Prelude {
-    /// `bytes`: the stream, at least up to the first block. `total`: the length of the stream, if
-    /// known.
+    /// Reads the prelude. `bytes` is the stream, at least up to the first block, and `total` the
+    /// length of the stream, if known.
     pub(super) fn read(info: StreamInfo, bytes: &[u8], total: Option<u64>) -> Result<Self> {
         let mut from = Reader::new(&bytes[HEADER_SIZE..], HEADER_SIZE as u64);
         let too_long = from.bad("a size is too large");

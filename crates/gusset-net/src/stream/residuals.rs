@@ -39,7 +39,7 @@ impl Residuals {
         Ok(Residuals { models: alloc::collect((0..LEVELS * RATIO_CLASSES).map(model))? })
     }
 
-    /// Codes a residual. `expected`: the expected magnitude in units of 1 / [`EXPECTATION_UNIT`].
+    /// Codes a residual. `expected` is the expected magnitude in units of 1 / [`EXPECTATION_UNIT`].
     #[inline(always)]
     pub(super) fn code<C: Coder>(&mut self, coder: &mut C, residual: i64, expected: u64, ratio_class: usize) -> i64 {
         let level = level(expected);

@@ -65,7 +65,8 @@ pub(super) struct RowCoder {
 }
 
 impl RowCoder {
-    /// `order`: the coordinates in the order of coding, each with its predictor.
+    /// Creates a coder. `order` has the coordinates in the order of coding, each with its
+    /// predictor.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).

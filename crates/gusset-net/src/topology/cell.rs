@@ -22,7 +22,7 @@ pub enum Reduced {
 }
 
 impl Reduced {
-    /// `corners`: the classes of the four corners in order.
+    /// Reduces a cell, given the classes of its four corners in order.
     pub fn new(corners: [u32; 4]) -> Self {
         let [a, b, c, d] = corners;
         match ([a == b, b == c, c == d, d == a], a == c, b == d) {

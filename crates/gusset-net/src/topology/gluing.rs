@@ -22,7 +22,7 @@ pub enum CellDiagonal {
     Rising,
 }
 
-/// A gluing to make or to undo.
+/// A gluing to make or to remove.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Gluing {
     /// The two ends of a link.
@@ -67,7 +67,8 @@ impl Gluing {
         }
     }
 
-    /// Passes the links and seams of the request on. `index`: its place in the batch.
+    /// Calls `link` and `seam` with the links and seams of the request. `index` is its index in the
+    /// batch.
     fn resolve(
         self,
         shape: Shape,
