@@ -172,12 +172,12 @@ export interface BoundaryLoopsParams extends RunOptions {
 /** Parameters of `stitch`; what is not given is what suits the inputs. */
 export interface StitchParams extends RunOptions {
   /**
-   * Loop of the first mesh. The number of the loop in the output of the filter boundary_loops; -1 takes the nearest pair of loops. From
+   * Loop of the first mesh. The number of the loop in the output of the filter boundary_loops. -1 takes the nearest pair of loops. From
    * -1 to 4294967295.
    */
   loop_a?: number;
   /**
-   * Loop of the second mesh. The number of the loop in the output of the filter boundary_loops; -1 takes the nearest pair of loops. From
+   * Loop of the second mesh. The number of the loop in the output of the filter boundary_loops. -1 takes the nearest pair of loops. From
    * -1 to 4294967295.
    */
   loop_b?: number;
@@ -198,12 +198,12 @@ export interface StitchParams extends RunOptions {
    */
   extent?: "whole_loops" | "facing_arcs" | "automatic" | number;
   /**
-   * Facing arc. The arc that is taken where several face the other loop.
+   * Facing arc. The arc that is taken if several arcs face the other loop.
    */
   run?: "closest" | "longest" | number;
   /**
-   * Facing tolerance. The smallest distance from the plane through its loop's centre at which a vertex faces the other loop; -1 takes the
-   * bound on rounding. From -1 to 1000000000000000.
+   * Facing tolerance. The smallest distance from the plane through the centre of its own loop at which a point faces the other loop. -1
+   * takes the bound on rounding. From -1 to 1000000000000000.
    */
   tolerance?: number;
   /**
@@ -211,7 +211,7 @@ export interface StitchParams extends RunOptions {
    */
   rows?: "none" | "by_mean_edge" | "given_number" | number;
   /**
-   * Number of rows. The number of rows of new vertices, if given. From 0 to 10000.
+   * Number of rows. The number of rows of new vertices, if it is given. From 0 to 10000.
    */
   row_count?: number;
   /**
@@ -223,7 +223,7 @@ export interface StitchParams extends RunOptions {
    */
   fairing?: "straight" | "fair" | number;
   /**
-   * Finish. What lies between the rims in the end. A blend has no rows: the rows, their shape and the kind of face are not read.
+   * Finish. The surface between the rims. A blend ignores the rows, their shape and the kind of face.
    */
   finish?: "strip" | "blend" | number;
   /**
@@ -231,7 +231,8 @@ export interface StitchParams extends RunOptions {
    */
   intersections?: "automatic" | "ignore" | "report" | number;
   /**
-   * Turn outwards. Reverses the faces of closed components of the result that are inside out, each by its own volume, also inside others.
+   * Turn outwards. Reverses the faces of closed components that are inside out. Each component is judged by its own volume, even inside
+   * another one.
    */
   outward?: boolean;
 }
@@ -243,8 +244,8 @@ export interface WeldParams extends RunOptions {
    */
   vertices?: "borders" | "all_vertices" | number;
   /**
-   * Tolerance. The largest distance of coincident vertices, in the unit of the positions; 0 takes equal positions, -1 what rounding of
-   * the positions can do, as their type and the digits that they show tell. From -1 to 1000000000000000.
+   * Tolerance. The largest distance at which vertices coincide, or a vertex and an edge if borders are sewn. 0 takes equal positions; -1
+   * takes the rounding of the positions, judged by their type and digits. From -1 to 1000000000000000.
    */
   tolerance?: number;
   /**
@@ -276,48 +277,49 @@ export interface FillHolesParams extends RunOptions {
    */
   weight?: "best_continuation" | "area_and_bend" | "largest_bend" | "area" | number;
   /**
-   * Most edges. Loops of more edges are left open; 0 sets no limit. From 0 to 4294967295.
+   * Most edges. Loops of more edges stay open; 0 sets no limit. From 0 to 4294967295.
    */
   max_edges?: number;
   /**
-   * Greatest length. Longer loops are left open; 0 sets no limit. From 0 to 1000000000000000.
+   * Greatest length. Longer loops stay open; 0 sets no limit. From 0 to 1000000000000000.
    */
   max_length?: number;
   /**
-   * Keep open. The loops that are no holes.
+   * Keep open. The loops that are not holes.
    */
   keep?: "none" | "the_longest" | "borders" | number;
   /**
-   * Patches. The loops that get one patch.
+   * Patches. The loops that share a patch.
    */
   together?: "each_by_itself" | "all_by_one_patch" | "where_it_costs_less" | number;
   /**
-   * Greatest diameter. Loops in a box along the axes with a longer diagonal are left open; 0 sets no limit. From 0 to 1000000000000000.
+   * Greatest diameter. Loops whose bounding box has a longer diagonal stay open; 0 sets no limit. From 0 to 1000000000000000.
    */
   max_diameter?: number;
   /**
-   * Greatest area. Loops with a larger area between them and their centre, in the square of the unit, are left open; 0 sets no limit.
-   * From 0 to 1000000000000000.
+   * Greatest area. Loops with a larger area between them and their centre stay open; 0 sets no limit. The unit is the square of the
+   * positions' unit. From 0 to 1000000000000000.
    */
   max_area?: number;
   /**
-   * Intersections. The search for faces of patches that cut.
+   * Intersections. The search for faces of patches that intersect others.
    */
   intersections?: "automatic" | "ignore" | "report" | number;
   /**
-   * Plan only. Nothing is filled: the report says what would be.
+   * Plan only. Fills nothing. The report says what would be filled.
    */
   plan_only?: boolean;
   /**
-   * Continuity. How fair patches go on the surface round them.
+   * Continuity. The continuity between fair patches and the surface around them.
    */
   continuity?: "tangents" | "curvature" | number;
   /**
-   * Ignore creases. No patch goes on with creases of the surface round it.
+   * Ignore creases. Ends creases of the surface at the rims of patches.
    */
   ignore_creases?: boolean;
   /**
-   * Turn outwards. Reverses the faces of closed components of the result that are inside out, each by its own volume, also inside others.
+   * Turn outwards. Reverses the faces of closed components that are inside out. Each component is judged by its own volume, even inside
+   * another one.
    */
   outward?: boolean;
 }
@@ -325,16 +327,16 @@ export interface FillHolesParams extends RunOptions {
 /** Parameters of `assemble`; what is not given is what suits the inputs. */
 export interface AssembleParams extends RunOptions {
   /**
-   * Coincident borders. The treatment of borders that coincide.
+   * Coincident borders. The treatment of coincident borders.
    */
   weld?: "sew" | "keep" | "edge_to_edge" | number;
   /**
-   * Welding distance. The largest distance of border vertices that are welded; 0 takes equal positions, -1 what rounding of the positions
-   * can do, as their type and the digits that they show tell. From -1 to 1000000000000000.
+   * Welding distance. The largest distance at which vertices coincide, or a vertex and an edge if borders are sewn. 0 takes equal
+   * positions; -1 takes the rounding of the positions, judged by their type and digits. From -1 to 1000000000000000.
    */
   tolerance?: number;
   /**
-   * Widest gap. The largest mean width of a gap that is closed; 0 leaves all open, -1 decides by the size of the loops. From -1 to
+   * Widest gap. The largest mean width of a gap that is closed. 0 closes none; -1 decides by the size of the loops. From -1 to
    * 1000000000000000.
    */
   max_gap?: number;
@@ -355,7 +357,7 @@ export interface AssembleParams extends RunOptions {
    */
   fairing?: "straight" | "fair" | number;
   /**
-   * Finish. What lies between the rims in the end. A blend has no rows: the rows, their shape and the kind of face are not read.
+   * Finish. The surface between the rims. A blend ignores the rows, their shape and the kind of face.
    */
   finish?: "strip" | "blend" | number;
   /**
@@ -363,7 +365,8 @@ export interface AssembleParams extends RunOptions {
    */
   holes?: "leave" | "fill" | "fill_refined_and_fair" | number;
   /**
-   * Turn outwards. Reverses the faces of closed components of the result that are inside out, each by its own volume, also inside others.
+   * Turn outwards. Reverses the faces of closed components that are inside out. Each component is judged by its own volume, even inside
+   * another one.
    */
   outward?: boolean;
   /**
@@ -371,8 +374,7 @@ export interface AssembleParams extends RunOptions {
    */
   overlaps?: "keep" | "trim" | number;
   /**
-   * Align first. Pieces that overlap are moved to where they fit before all else, as the filter align moves them from where they lie; the
-   * first one stays.
+   * Align first. First moves overlapping pieces to where they fit, as the filter align does from where they lie.
    */
   align?: boolean;
 }
@@ -400,7 +402,8 @@ export interface OutlineParams extends RunOptions {
    */
   ends?: "free" | "perpendicular" | "level" | "upright" | "level_or_upright" | number;
   /**
-   * Corners. Points where the polyline turns by more than this angle remain corners; pi for none. From 0 to 3.141592653589793.
+   * Corners. Points where the polyline turns by more than this angle remain corners; pi makes all of them smooth. From 0 to
+   * 3.141592653589793.
    */
   corner_angle?: number;
   /**
@@ -412,7 +415,7 @@ export interface OutlineParams extends RunOptions {
 /** Parameters of `net_shape`; what is not given is what suits the inputs. */
 export interface NetShapeParams extends RunOptions {
   /**
-   * Shape. The shape, round the z axis.
+   * Shape. The shape, about the z axis.
    */
   shape?: "sphere" | "one_pole_sphere" | "plane" | "tube" | "cylinder" | "cone" | "torus" | "cube" | "moebius_strip" | "klein_bottle" | "prism" | "pyramid" | "projective_plane" | "pillow" | number;
   /**
@@ -420,15 +423,15 @@ export interface NetShapeParams extends RunOptions {
    */
   rows?: number;
   /**
-   * Columns. The number of columns of nodes; in closed rows the last node repeats the first. From 5 to 10001.
+   * Columns. The number of columns of nodes. In closed rows the last node repeats the first. From 5 to 10001.
    */
   columns?: number;
   /**
-   * Radius. The radius; of a torus that of its centre line. From 1e-15 to 1000000000000000.
+   * Radius. The radius; for a torus, the radius of its centre line. From 1e-15 to 1000000000000000.
    */
   radius?: number;
   /**
-   * Minor radius. The radius of the tube of a torus, smaller than the radius. From 1e-15 to 1000000000000000.
+   * Minor radius. The radius of the tube of a torus, less than the radius. From 1e-15 to 1000000000000000.
    */
   minor_radius?: number;
   /**
@@ -440,7 +443,7 @@ export interface NetShapeParams extends RunOptions {
    */
   triangles?: boolean;
   /**
-   * Sides. The number of sides of the base of prisms and pyramids, smaller than the number of columns. From 3 to 10000.
+   * Sides. The number of sides of the base of prisms and pyramids, less than the number of columns. From 3 to 10000.
    */
   sides?: number;
 }
@@ -450,26 +453,40 @@ export interface DeformParams extends RunOptions {
   /**
    * Field. The deformation field.
    */
-  field?: "twist" | "taper" | "bend" | "shear" | "spherify" | number;
+  field?: "twist" | "taper" | "bend" | "shear" | "spherify" | "cylinder_wrap" | "cone_wrap" | "torus_wrap" | "sphere_wrap" | number;
   /**
    * Axis. The axis of the field, through the origin.
    */
   axis?: "z" | "x" | "y" | number;
   /**
-   * Amount. The parameter of the field; 0 leaves the mesh unchanged. The suggestion suits a twist. From -1000000000000000 to
-   * 1000000000000000.
+   * Amount. The parameter of all fields except wraps; 0 leaves the mesh unchanged. The suggestion suits a twist. From -1000000000000000
+   * to 1000000000000000.
    */
   amount?: number;
   /**
-   * Strength. The fraction of the deformation that is applied, from 0 to 1. From 0 to 1.
+   * Strength. The fraction of the motion: 0 leaves the vertices unchanged, 1 moves them all the way. From 0 to 1.
    */
   strength?: number;
+  /**
+   * Radius. The radius of a wrap; for a torus, the radius of its centre line. A wrap about the z axis with the suggested radius takes the
+   * extent of the mesh along x exactly once around. From 1e-15 to 1000000000000000.
+   */
+  radius?: number;
+  /**
+   * Minor radius. The radius of the tube of a torus. With the suggested radius, the extent along y goes exactly once around the tube.
+   * From 1e-15 to 1000000000000000.
+   */
+  minor_radius?: number;
+  /**
+   * Lean. The angle by which the generators of a cone lean towards its axis. From -1.5707963267948966 to 1.5707963267948966.
+   */
+  lean?: number;
 }
 
 /** Parameters of `smooth_surface`; what is not given is what suits the inputs. */
 export interface SmoothSurfaceParams extends RunOptions {
   /**
-   * Surface. The interpolation of the vertices, whose quads must form a grid of rows and columns.
+   * Surface. The interpolation of the vertices. The quads must form a grid of rows and columns.
    */
   scheme?: "smooth" | "four_points" | number;
   /**
@@ -489,7 +506,7 @@ export interface SmoothSurfaceParams extends RunOptions {
 /** Parameters of `smooth_sections`; what is not given is what suits the inputs. */
 export interface SmoothSectionsParams extends RunOptions {
   /**
-   * Surface. The interpolation of the vertices, whose quads must form a grid of rows and columns.
+   * Surface. The interpolation of the vertices. The quads must form a grid of rows and columns.
    */
   scheme?: "smooth" | "four_points" | number;
   /**
@@ -505,12 +522,12 @@ export interface SmoothSectionsParams extends RunOptions {
    */
   number?: number;
   /**
-   * Offset. The distance of the first plane from the origin along the direction; for given planes. From -1000000000000000 to
+   * Offset. The distance of the first plane from the origin along the direction, for given planes. From -1000000000000000 to
    * 1000000000000000.
    */
   offset?: number;
   /**
-   * Distance. The spacing of the planes; for given planes. From 1e-15 to 1000000000000000.
+   * Distance. The spacing of the planes, for given planes. From 1e-15 to 1000000000000000.
    */
   distance?: number;
   /**
@@ -522,7 +539,7 @@ export interface SmoothSectionsParams extends RunOptions {
 /** Parameters of `smooth_silhouette`; what is not given is what suits the inputs. */
 export interface SmoothSilhouetteParams extends RunOptions {
   /**
-   * Surface. The interpolation of the vertices, whose quads must form a grid of rows and columns.
+   * Surface. The interpolation of the vertices. The quads must form a grid of rows and columns.
    */
   scheme?: "smooth" | "four_points" | number;
   /**
@@ -542,11 +559,11 @@ export interface SmoothSilhouetteParams extends RunOptions {
 /** Parameters of `smooth_distance`; what is not given is what suits the inputs. */
 export interface SmoothDistanceParams extends RunOptions {
   /**
-   * Surface. The interpolation of the vertices, whose quads must form a grid of rows and columns.
+   * Surface. The interpolation of the vertices. The quads must form a grid of rows and columns.
    */
   scheme?: "smooth" | "four_points" | number;
   /**
-   * Strength. The fraction of the way that vertices are moved: 0 leaves them, 1 puts them on the surface. From 0 to 1.
+   * Strength. The fraction of the motion: 0 leaves the vertices unchanged, 1 moves them all the way. From 0 to 1.
    */
   strength?: number;
 }
@@ -554,7 +571,7 @@ export interface SmoothDistanceParams extends RunOptions {
 /** Parameters of `check`; what is not given is what suits the inputs. */
 export interface CheckParams extends RunOptions {
   /**
-   * Elements listed. The largest number of elements that are listed for each kind of defect. From 0 to 1000000.
+   * Elements listed. The largest number of elements listed for each kind of defect. From 0 to 1000000.
    */
   listed?: number;
 }
@@ -562,15 +579,15 @@ export interface CheckParams extends RunOptions {
 /** Parameters of `facing_arcs`; what is not given is what suits the inputs. */
 export interface FacingArcsParams extends RunOptions {
   /**
-   * First loop. The number of the curve, from 0 on; the filter boundary_loops gives suitable curves. From 0 to 4294967295.
+   * First loop. The number of the curve, from 0 on. The filter boundary_loops gives suitable curves. From 0 to 4294967295.
    */
   curve_a?: number;
   /**
-   * Second loop. The number of the curve, from 0 on; the filter boundary_loops gives suitable curves. From 0 to 4294967295.
+   * Second loop. The number of the curve, from 0 on. The filter boundary_loops gives suitable curves. From 0 to 4294967295.
    */
   curve_b?: number;
   /**
-   * Facing arc. The arc that is taken where several face the other loop.
+   * Facing arc. The arc that is taken if several arcs face the other loop.
    */
   run?: "closest" | "longest" | number;
   /**
@@ -578,8 +595,8 @@ export interface FacingArcsParams extends RunOptions {
    */
   centres?: "mean_of_the_points" | "mean_of_the_curve" | number;
   /**
-   * Facing tolerance. The smallest distance from the plane at which a point faces the other loop; -1 takes the bound on rounding. From -1
-   * to 1000000000000000.
+   * Facing tolerance. The smallest distance from the plane through the centre of its own loop at which a point faces the other loop. -1
+   * takes the bound on rounding. From -1 to 1000000000000000.
    */
   tolerance?: number;
 }
@@ -591,7 +608,7 @@ export interface StripParams extends RunOptions {
    */
   meridians?: "continuation" | "least_area" | "by_index" | "by_arc_length" | "greedy" | "shortest_meridians" | "least_bend" | "quads" | number;
   /**
-   * First meridian. The start of the strip between closed curves; between open ones it is at their first points.
+   * First meridian. The start of the strip between closed curves. Between open curves it starts at their first points.
    */
   start?: "automatic" | "closest_pair" | "first_points" | number;
   /**
@@ -603,7 +620,7 @@ export interface StripParams extends RunOptions {
    */
   rows?: "none" | "by_mean_edge" | "given_number" | number;
   /**
-   * Number of rows. The number of rows of new vertices, if given. From 0 to 10000.
+   * Number of rows. The number of rows of new vertices, if it is given. From 0 to 10000.
    */
   row_count?: number;
   /**
@@ -615,11 +632,11 @@ export interface StripParams extends RunOptions {
 /** Parameters of `net_resample`; what is not given is what suits the inputs. */
 export interface NetResampleParams extends RunOptions {
   /**
-   * Rows. The number of rows of vertices; about as many as now are suggested. From 2 to 100001.
+   * Rows. The number of rows of vertices. The suggestion keeps about the same number of vertices. From 2 to 100001.
    */
   rows?: number;
   /**
-   * Columns. The number of columns of vertices; in closed rows the last vertex repeats the first. From 2 to 100001.
+   * Columns. The number of columns of vertices. In closed rows the last vertex repeats the first. From 2 to 100001.
    */
   columns?: number;
   /**
@@ -635,7 +652,7 @@ export interface NetResampleParams extends RunOptions {
 /** Parameters of `net_decimate`; what is not given is what suits the inputs. */
 export interface NetDecimateParams extends RunOptions {
   /**
-   * Tolerance. The largest distance of removed vertices from the segments that replace them; a thousandth of the size is suggested. From
+   * Tolerance. The largest distance of removed vertices from the segments that replace them. A thousandth of the size is suggested. From
    * 0 to 1000000000000000.
    */
   tolerance?: number;
@@ -664,11 +681,11 @@ export interface NetJoinParams extends RunOptions {
    */
   sizes?: "repeat_evenly" | "repeat_the_first" | "repeat_the_last" | "refuse" | number;
   /**
-   * Twist. The number of vertices by which closed sides of all grids but the first are rotated before joining. From 0 to 4294967295.
+   * Twist. The number of vertices by which closed sides of all grids except the first are rotated before joining. From 0 to 4294967295.
    */
   twist?: number;
   /**
-   * Flip. Flips grids of opposite orientation to the first along the side; otherwise the filter fails.
+   * Flip. Flips grids of opposite orientation to the first along the side. Without it, the filter fails for such grids.
    */
   turn?: boolean;
   /**
@@ -680,7 +697,8 @@ export interface NetJoinParams extends RunOptions {
 /** Parameters of `net_measures`; what is not given is what suits the inputs. */
 export interface NetMeasuresParams extends RunOptions {
   /**
-   * Planarity limit. Quads whose corners are farther from their mean plane, relative to the longer diagonal, are counted. From 0 to 1.
+   * Planarity limit. Counts the quads whose corners are farther than this from their mean plane, relative to the longer diagonal. From 0
+   * to 1.
    */
   planarity?: number;
 }
@@ -688,7 +706,7 @@ export interface NetMeasuresParams extends RunOptions {
 /** Parameters of `net_analyse`; what is not given is what suits the inputs. */
 export interface NetAnalyseParams extends RunOptions {
   /**
-   * Tolerance. The largest length that counts as 0; a billionth of the size is suggested. From 0 to 1000000000000000.
+   * Tolerance. The largest length that counts as 0. A billionth of the size is suggested. From 0 to 1000000000000000.
    */
   tolerance?: number;
   /**
@@ -704,12 +722,12 @@ export interface NetLatheParams extends RunOptions {
    */
   point?: ArrayLike<number>;
   /**
-   * Direction of the axis. The direction of the axis; the surface runs counter-clockwise round it. From -1000000000000000 to
+   * Direction of the axis. The direction of the axis. The surface runs counter-clockwise about it. From -1000000000000000 to
    * 1000000000000000.
    */
   direction?: ArrayLike<number>;
   /**
-   * Columns. The number of quads round the axis. From 3 to 100000.
+   * Columns. The number of quads around the axis. From 3 to 100000.
    */
   columns?: number;
   /**
@@ -729,8 +747,8 @@ export interface NetLatheParams extends RunOptions {
 /** Parameters of `displace`; what is not given is what suits the inputs. */
 export interface DisplaceParams extends RunOptions {
   /**
-   * Distance. The displacement: outwards if positive, inwards if negative; a hundredth of the size is suggested. From -1000000000000000
-   * to 1000000000000000.
+   * Distance. The displacement, outwards if positive and inwards if negative. A hundredth of the size is suggested. From
+   * -1000000000000000 to 1000000000000000.
    */
   distance?: number;
   /**
@@ -742,7 +760,7 @@ export interface DisplaceParams extends RunOptions {
 /** Parameters of `project`; what is not given is what suits the inputs. */
 export interface ProjectParams extends RunOptions {
   /**
-   * Plane. The plane of projection; the plane below the mesh is suggested. From -1000000000000000 to 1000000000000000.
+   * Plane. The plane of projection. The plane below the mesh is suggested. From -1000000000000000 to 1000000000000000.
    */
   plane?: ArrayLike<number>;
   /**
@@ -750,15 +768,15 @@ export interface ProjectParams extends RunOptions {
    */
   along?: "normal" | "direction" | "lines_through_a_point" | number;
   /**
-   * Direction. The direction of projection, if given. From -1000000000000000 to 1000000000000000.
+   * Direction. The direction of projection, if it is given. From -1000000000000000 to 1000000000000000.
    */
   direction?: ArrayLike<number>;
   /**
-   * Point. The centre of projection, if given; a point above the mesh is suggested. From -1000000000000000 to 1000000000000000.
+   * Point. The centre of projection, if it is given. A point above the mesh is suggested. From -1000000000000000 to 1000000000000000.
    */
   eye?: ArrayLike<number>;
   /**
-   * Strength. The fraction of the way: 0 leaves the mesh unchanged, 1 puts the vertices in the plane. From 0 to 1.
+   * Strength. The fraction of the motion: 0 leaves the vertices unchanged, 1 moves them all the way. From 0 to 1.
    */
   strength?: number;
 }
@@ -782,11 +800,11 @@ export interface CurveResampleParams extends RunOptions {
    */
   spacing?: "number" | "step" | "chord_error" | number;
   /**
-   * Number. The number of points of each curve, if given; both ends of an open curve are among them. From 2 to 1000000.
+   * Number. The number of points of each curve, if it is given. Both ends of an open curve count. From 2 to 1000000.
    */
   number?: number;
   /**
-   * Step. The spacing of points along the curve, if given. From 1e-15 to 1000000000000000.
+   * Step. The spacing of points along the curve, if it is given. From 1e-15 to 1000000000000000.
    */
   step?: number;
   /**
@@ -803,7 +821,7 @@ export interface CurveOffsetParams extends RunOptions {
    */
   between?: "straight" | "smooth" | "cubic_spline" | number;
   /**
-   * Plane. The plane of the curves, within a millionth of their size; the one in which they enclose the largest area is suggested. From
+   * Plane. The plane of the curves, up to a millionth of their size. The plane in which they enclose the largest area is suggested. From
    * -1000000000000000 to 1000000000000000.
    */
   plane?: ArrayLike<number>;
@@ -826,7 +844,7 @@ export interface CurveMeetParams extends RunOptions {
    */
   between?: "straight" | "smooth" | "cubic_spline" | number;
   /**
-   * Distance. The largest distance at which curves count as meeting; 0 for intersections up to rounding. From 0 to 1000000000000000.
+   * Distance. The largest distance at which curves count as meeting. 0 finds intersections up to rounding. From 0 to 1000000000000000.
    */
   within?: number;
 }
@@ -846,7 +864,7 @@ export interface CurveSvgParams extends RunOptions {
    */
   between?: "straight" | "smooth" | "cubic_spline" | number;
   /**
-   * Plane. The plane of the curves, within a millionth of their size; the one in which they enclose the largest area is suggested. From
+   * Plane. The plane of the curves, up to a millionth of their size. The plane in which they enclose the largest area is suggested. From
    * -1000000000000000 to 1000000000000000.
    */
   plane?: ArrayLike<number>;
@@ -863,7 +881,7 @@ export interface LoftParams extends RunOptions {
    */
   nodes?: "by_arc_length" | "by_number" | "by_angle" | number;
   /**
-   * Columns. The number of nodes on each section; ignored if the nodes are the given points. From 2 to 100000.
+   * Columns. The number of nodes on each section. Ignored if the nodes are the given points. From 2 to 100000.
    */
   columns?: number;
   /**
@@ -871,16 +889,16 @@ export interface LoftParams extends RunOptions {
    */
   through?: "nodes" | "curves" | number;
   /**
-   * Ring. The last section is followed by the first.
+   * Ring. The first section follows the last one.
    */
   ring?: boolean;
   /**
-   * Point of the axis. A point on the axis of the angles; the centre of the sections is suggested. From -1000000000000000 to
+   * Point of the axis. A point on the axis of the angles. The centre of the sections is suggested. From -1000000000000000 to
    * 1000000000000000.
    */
   point?: ArrayLike<number>;
   /**
-   * Direction of the axis. The direction of the axis of the angles; from the first section to the last is suggested. From
+   * Direction of the axis. The direction of the axis of the angles. The direction from the first section to the last is suggested. From
    * -1000000000000000 to 1000000000000000.
    */
   direction?: ArrayLike<number>;
@@ -905,11 +923,11 @@ export interface SmoothNetParams extends RunOptions {
    */
   between?: "straight" | "smooth" | "cubic_spline" | number;
   /**
-   * Ring. The last curve across is followed by the first; ignored with curves along, which determine it.
+   * Ring. The first curve across follows the last one. Ignored if there are curves along, which determine it.
    */
   ring?: boolean;
   /**
-   * Tolerance. The largest distance of curves where they meet; both are then moved to the middle. From 1e-15 to 1000000000000000.
+   * Tolerance. The largest distance of two curves where they meet. Both are moved to the middle. From 1e-15 to 1000000000000000.
    */
   tolerance?: number;
   /**
@@ -929,7 +947,7 @@ export interface SmoothNetParams extends RunOptions {
 /** Parameters of `smooth_isophotes`; what is not given is what suits the inputs. */
 export interface SmoothIsophotesParams extends RunOptions {
   /**
-   * Surface. The interpolation of the vertices, whose quads must form a grid of rows and columns.
+   * Surface. The interpolation of the vertices. The quads must form a grid of rows and columns.
    */
   scheme?: "smooth" | "four_points" | number;
   /**
@@ -953,7 +971,7 @@ export interface SmoothIsophotesParams extends RunOptions {
 /** Parameters of `smooth_intersect`; what is not given is what suits the inputs. */
 export interface SmoothIntersectParams extends RunOptions {
   /**
-   * Surface. The interpolation of the vertices, whose quads must form a grid of rows and columns.
+   * Surface. The interpolation of the vertices. The quads must form a grid of rows and columns.
    */
   scheme?: "smooth" | "four_points" | number;
   /**
@@ -965,11 +983,11 @@ export interface SmoothIntersectParams extends RunOptions {
 /** Parameters of `smooth_line`; what is not given is what suits the inputs. */
 export interface SmoothLineParams extends RunOptions {
   /**
-   * Surface. The interpolation of the vertices, whose quads must form a grid of rows and columns.
+   * Surface. The interpolation of the vertices. The quads must form a grid of rows and columns.
    */
   scheme?: "smooth" | "four_points" | number;
   /**
-   * Point. A point on the line, the origin of a ray; a point below the centre of the mesh is suggested. From -1000000000000000 to
+   * Point. A point on the line, or the origin of a ray. A point below the centre of the mesh is suggested. From -1000000000000000 to
    * 1000000000000000.
    */
   point?: ArrayLike<number>;
@@ -986,7 +1004,7 @@ export interface SmoothLineParams extends RunOptions {
 /** Parameters of `smooth_curve`; what is not given is what suits the inputs. */
 export interface SmoothCurveParams extends RunOptions {
   /**
-   * Surface. The interpolation of the vertices, whose quads must form a grid of rows and columns.
+   * Surface. The interpolation of the vertices. The quads must form a grid of rows and columns.
    */
   scheme?: "smooth" | "four_points" | number;
   /**
@@ -998,7 +1016,7 @@ export interface SmoothCurveParams extends RunOptions {
 /** Parameters of `smooth_nearest`; what is not given is what suits the inputs. */
 export interface SmoothNearestParams extends RunOptions {
   /**
-   * Surface. The interpolation of the vertices, whose quads must form a grid of rows and columns.
+   * Surface. The interpolation of the vertices. The quads must form a grid of rows and columns.
    */
   scheme?: "smooth" | "four_points" | number;
 }
@@ -1006,8 +1024,8 @@ export interface SmoothNearestParams extends RunOptions {
 /** Parameters of `sew`; what is not given is what suits the inputs. */
 export interface SewParams extends RunOptions {
   /**
-   * Tolerance. The largest distance of vertices from others or from edges that they lie on; 0 takes equal positions, -1 what rounding of
-   * the positions can do, as their type and the digits that they show tell. From -1 to 1000000000000000.
+   * Tolerance. The largest distance at which vertices coincide, or a vertex and an edge if borders are sewn. 0 takes equal positions; -1
+   * takes the rounding of the positions, judged by their type and digits. From -1 to 1000000000000000.
    */
   tolerance?: number;
   /**
@@ -1019,20 +1037,20 @@ export interface SewParams extends RunOptions {
 /** Parameters of `align`; what is not given is what suits the inputs. */
 export interface AlignParams extends RunOptions {
   /**
-   * Start. Where the pieces are to begin with.
+   * Start. The positions that the pieces start from.
    */
   start?: "as_they_lie" | "principal_axes" | "rims" | number;
   /**
-   * Greatest distance. Points that are farther from another piece are no pair with it; the pieces must begin that near to where they
-   * belong. 0 and -1 take a tenth of the diagonal of the largest piece's box. From -1 to 1000000000000000.
+   * Greatest distance. Points farther than this from another piece form no pair with it, so the pieces must start this near to their
+   * places. 0 and -1 take a tenth of the diagonal of the largest piece's box. From -1 to 1000000000000000.
    */
   max_distance?: number;
   /**
-   * Points. So many points of each piece are looked for on the others. From 1 to 4294967295.
+   * Points. The number of points of each piece for which the nearest points of the others are found. From 1 to 4294967295.
    */
   samples?: number;
   /**
-   * Most rounds. The largest number of rounds in each of two stages; they end before once nothing moves. From 1 to 1000000.
+   * Most rounds. The largest number of rounds in each of two stages. A stage ends early once nothing moves. From 1 to 1000000.
    */
   max_rounds?: number;
 }
@@ -1040,16 +1058,16 @@ export interface AlignParams extends RunOptions {
 /** Parameters of `trim`; what is not given is what suits the inputs. */
 export interface TrimParams extends RunOptions {
   /**
-   * Greatest distance. Surfaces that are no farther apart are one; 0 takes those that touch, -1 takes four mean edges of the coarser
+   * Greatest distance. Surfaces at most this far apart overlap. 0 takes surfaces that touch; -1 takes four mean edges of the coarser
    * piece. From -1 to 1000000000000000.
    */
   max_distance?: number;
   /**
-   * Greatest angle. Surfaces whose normals differ by more are two. From 0.001 to 1.57.
+   * Greatest angle. Surfaces whose normals differ by a larger angle do not overlap. From 0.001 to 1.57.
    */
   max_angle?: number;
   /**
-   * Fewest faces. Parts of fewer faces go, but for whole components of the pieces. From 1 to 4294967295.
+   * Fewest faces. Remaining parts of fewer faces are dropped, unless they are whole components of a piece. From 1 to 4294967295.
    */
   min_faces?: number;
 }
@@ -1057,89 +1075,181 @@ export interface TrimParams extends RunOptions {
 /** Parameters of `develop`; what is not given is what suits the inputs. */
 export interface DevelopParams extends RunOptions {
   /**
-   * Distortion. The kind of distortion that is least.
+   * Distortion. The kind of distortion to minimise.
    */
   distortion?: "lengths_and_areas" | "as_rigid_as_possible" | "angles" | number;
   /**
-   * Darts. The largest number of cuts from the border to where the curvature is. From 0 to 100.
+   * Darts. The largest number of darts: cuts from the border to places of large curvature. From 0 to 100.
    */
   darts?: number;
   /**
-   * Largest stretch. Darts are made until no length changes by a larger factor; 1: all of them. From 1 to 100.
+   * Largest stretch. Darts are cut until no length changes by a larger factor; 1 cuts all of them. From 1 to 100.
    */
   stretch?: number;
+}
+
+/** Parameters of `net_planarise`; what is not given is what suits the inputs. */
+export interface NetPlanariseParams extends RunOptions {
+  /**
+   * Tolerance. The largest distance of the corners of a face from their mean plane, relative to the diagonal of the bounding box. 0 takes
+   * 1e-10, or 4e-7 for positions in single precision. From 0 to 1.
+   */
+  tolerance?: number;
+  /**
+   * Keep the boundary. Vertices on the boundary keep their positions.
+   */
+  keep_boundary?: boolean;
+  /**
+   * Most steps. The largest number of steps. From 1 to 1000000.
+   */
+  max_steps?: number;
+}
+
+/** Parameters of `net_settle`; what is not given is what suits the inputs. */
+export interface NetSettleParams extends RunOptions {
+  /**
+   * Direction. The direction from each grid to the next.
+   */
+  direction?: "below" | "right" | number;
+  /**
+   * Rows. The number of rows of new vertices in each bridge. From 1 to 10000.
+   */
+  rows?: number;
+  /**
+   * Tension. The force in each line across a ribbon, or the force per length in a tube. From 0 to 1000000000000000.
+   */
+  tension?: number;
+  /**
+   * Elasticity. The force that doubles the length of a line across a bridge. From 0 to 1000000000000000.
+   */
+  elasticity?: number;
+  /**
+   * Stiffness. The bending stiffness of each line across a bridge, as force times squared length. Stiff lines leave the grids without a
+   * kink. From 0 to 1000000000000000.
+   */
+  stiffness?: number;
+  /**
+   * Rest length. The length of an unstressed bridge, as a multiple of its straight length. Only elastic bridges depend on it. From 0.001
+   * to 1000.
+   */
+  rest_ratio?: number;
+  /**
+   * Different sizes. The treatment of sides with different numbers of vertices.
+   */
+  sizes?: "repeat_evenly" | "repeat_the_first" | "repeat_the_last" | "refuse" | number;
+  /**
+   * Twist. The number of vertices by which closed sides of all grids except the first are rotated before joining. From 0 to 4294967295.
+   */
+  twist?: number;
+  /**
+   * Flip. Flips grids of opposite orientation to the first along the side. Without it, the filter fails for such grids.
+   */
+  turn?: boolean;
+  /**
+   * Most steps. The largest number of steps. From 1 to 1000000.
+   */
+  max_steps?: number;
+  /**
+   * Triangles. Cuts quads along their shorter diagonals.
+   */
+  triangles?: boolean;
+}
+
+/** Parameters of `morph`; what is not given is what suits the inputs. */
+export interface MorphParams extends RunOptions {
+  /**
+   * Ratio. The fraction of the way: 0 gives the first mesh, 1 gives the second. From 0 to 1.
+   */
+  ratio?: number;
+  /**
+   * Path. The path of the vertices.
+   */
+  path?: "straight" | "with_rotation" | number;
+}
+
+/** Parameters of `lattice`; what is not given is what suits the inputs. */
+export interface LatticeParams extends RunOptions {
+  /**
+   * Strength. The fraction of the motion: 0 leaves the vertices unchanged, 1 moves them all the way. From 0 to 1.
+   */
+  strength?: number;
 }
 
 /** The filters of the table, by their names for scripts. */
 export interface Filters {
   /**
-   * Finds every boundary loop of a mesh as a polyline: the chains of edges with a face on one side only. The surface lies to the left of
-   * a loop. Where the boundary touches itself it is divided into simple loops. Source: S. Nesterenko, The algorithm for polygonal
-   * networks of cross-linking, algorithm 1
+   * Finds every boundary loop of a mesh as a polyline: a chain of edges with a face on one side only. The surface lies to the left of a
+   * loop. Where the boundary touches itself, it is divided into simple loops. Source: S. Nesterenko, The algorithm for polygonal networks
+   * of cross-linking, algorithm 1
    */
   readonly boundary_loops: Filter<[MeshLike], [Curves, Report], BoundaryLoopsParams>;
   /**
-   * Joins two boundary loops, of two meshes or of one, by a closed band of new faces, or their facing arcs by a strip. Vertices stay
-   * where they are and no face is lost. Source: S. Nesterenko, The algorithm for polygonal networks of cross-linking
+   * Joins two boundary loops, of two meshes or of one, by a closed band of new faces. On request a strip joins only the arcs that face
+   * each other. All vertices keep their positions, and all faces stay. Source: S. Nesterenko, The algorithm for polygonal networks of
+   * cross-linking
    */
   readonly stitch: Filter<[MeshLike] | [MeshLike, MeshLike], [Mesh, Report], StitchParams>;
   /**
-   * Merges coincident vertices. Coincident borders are welded edge to edge, whatever the orientation of their faces; or all coincident
-   * vertices are merged, as a triangle soup requires. Source: Greedy clustering in the order of the vertices; edges are sewn two by two
+   * Merges coincident vertices. Either coincident borders are welded edge to edge, whatever the orientation of their faces, or all
+   * coincident vertices are merged, as a triangle soup requires. Source: Greedy clustering in the order of the vertices; edges are sewn
+   * in pairs
    */
   readonly weld: Filter<[MeshLike], [Mesh, Report], WeldParams>;
   /**
-   * Reverses faces until neighbours are consistently oriented, as few as possible in each component. One-sided components, such as a
-   * Moebius strip, stay as they are. Source: Breadth-first search across edges of two faces
+   * Reverses the fewest faces of each component that make neighbours consistently oriented. One-sided components, such as a Moebius
+   * strip, stay as they are. Source: Breadth-first search across edges of two faces
    */
   readonly orient: Filter<[MeshLike], [Mesh, Report], OrientParams>;
   /**
-   * Closes boundary loops of a mesh by new triangles: the triangulation of least weight, refined to the density of the surrounding mesh
-   * and faired. Vertices stay where they are and no face is lost. Source: P. Liepa, Filling holes in meshes (2003); G. Barequet, M.
-   * Sharir, Filling gaps in the boundary of a polyhedron (1995)
+   * Closes boundary loops of a mesh by new triangles: the triangulation of least weight, on request refined to the density of the
+   * surrounding mesh and faired. All vertices keep their positions, and all faces stay. Source: P. Liepa, Filling holes in meshes (2003);
+   * G. Barequet, M. Sharir, Filling gaps in the boundary of a polyhedron (1995)
    */
   readonly fill_holes: Filter<[MeshLike], [Mesh, Report], FillHolesParams>;
   /**
-   * Joins many open pieces to one mesh: overlaps are trimmed on request, coincident borders sewn, orientations made consistent, loops
-   * that face each other across a gap stitched, holes filled on request, and closed results turned outwards. Loops that face none are
-   * left as they are. Source: S. Nesterenko, The algorithm for polygonal networks of cross-linking, for a single gap
+   * Joins many open pieces into one mesh. Overlaps are trimmed on request. Coincident borders are sewn, orientations are made consistent,
+   * and loops that face each other across a gap are stitched. Holes are filled on request, and closed results are turned outwards. Loops
+   * that face no other loop stay as they are. Source: S. Nesterenko, The algorithm for polygonal networks of cross-linking, for a single
+   * gap
    */
   readonly assemble: Filter<[MeshLike, ...MeshLike[]], [Mesh, Report], AssembleParams>;
   /**
    * Draws smooth Bezier curves through all points of polylines, and returns them as finer polylines. Each point is the middle of a
-   * quadratic section whose control point lies on the bisector, the median or the normal at the point. Source: T. Nadopta, Theoretical
+   * quadratic section, whose control point lies on the bisector, the median or the normal at the point. Source: T. Nadopta, Theoretical
    * foundations of the identification of outline curves, 2008
    */
   readonly outline: Filter<[CurvesLike], [Curves, Report], OutlineParams>;
   /**
-   * Makes a standard shape as a quad grid, closed by gluing: rows and columns of faces continue across its seams, and a side contracted
-   * to a pole is one vertex. Source: A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks
+   * Makes a standard shape as a quad grid. Rows and columns of faces continue across its seams, and a side contracted to a pole is one
+   * vertex. Source: A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks
    */
   readonly net_shape: Filter<[], [Mesh, Report], NetShapeParams>;
   /**
-   * Moves the vertices of a mesh by a deformation field: twist, taper, bend or shear about an axis, or projection towards a sphere. Faces
-   * are unchanged, and coincident vertices stay coincident. Source: A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal
-   * regular networks, deformation fields
+   * Moves the vertices of a mesh by a deformation field: twist, taper, bend or shear about an axis, projection towards a sphere, or a
+   * wrap, which rolls a sheet onto a cylinder, a cone, a torus or a sphere. Faces do not change, and coincident vertices stay coincident.
+   * Source: A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, deformation fields; A. Barr, Global and
+   * local deformations of solid primitives (1984)
    */
   readonly deform: Filter<[MeshLike], Mesh, DeformParams>;
   /**
-   * Draws a smooth surface through the vertices of a quad grid and returns it as a finer mesh, whose vertices lie on the surface and
-   * whose faces are within the deviation of it. Source: V. A. Leus, Carcasses on smooth surfaces, 1976
+   * Draws a smooth surface through the vertices of a quad grid, and returns it as a finer mesh. Its vertices lie on the surface, and its
+   * faces deviate from it at most as requested. Source: V. A. Leus, Carcasses on smooth surfaces, 1976
    */
   readonly smooth_surface: Filter<[MeshLike], [Mesh, Report], SmoothSurfaceParams>;
   /**
-   * Cuts the smooth surface through the vertices of a quad grid by parallel planes, and returns the curves in order. No curve is missed,
-   * and points lie on the surface, not on the quads. Source: V. A. Leus, Carcasses on smooth surfaces, 1976
+   * Cuts the smooth surface through the vertices of a quad grid by parallel planes, and returns the curves in order. No curve is missed.
+   * Points lie on the surface, not on the quads. Source: V. A. Leus, Carcasses on smooth surfaces, 1976
    */
   readonly smooth_sections: Filter<[MeshLike], [Curves, Report], SmoothSectionsParams>;
   /**
-   * Finds where the normals of the smooth surface through the vertices of a quad grid make an angle with a direction: at pi / 2 the
-   * silhouettes seen along it, otherwise lines of equal slope. Source: V. A. Leus, Carcasses on smooth surfaces, 1976
+   * Finds where the normals of the smooth surface through the vertices of a quad grid make a given angle with a direction. The angle pi /
+   * 2 gives the silhouettes seen along the direction; other angles give lines of equal slope. Source: V. A. Leus, Carcasses on smooth
+   * surfaces, 1976
    */
   readonly smooth_silhouette: Filter<[MeshLike], [Curves, Report], SmoothSilhouetteParams>;
   /**
-   * Measures the distances of the vertices of a mesh from the smooth surface through the vertices of a quad grid, the second mesh, and
-   * moves them towards their nearest points on it. Source: V. A. Leus, Carcasses on smooth surfaces, 1976
+   * Measures the distances of the vertices of a mesh from a smooth surface, and moves them towards their nearest points on it. The
+   * surface passes through the vertices of a quad grid, the second mesh. Source: V. A. Leus, Carcasses on smooth surfaces, 1976
    */
   readonly smooth_distance: Filter<[MeshLike, MeshLike], [Mesh, Report], SmoothDistanceParams>;
   /**
@@ -1149,155 +1259,182 @@ export interface Filters {
    */
   readonly check: Filter<[MeshLike], Report, CheckParams>;
   /**
-   * Finds the points of two loops that face each other: those on the other loop's side of the plane through their own loop's centre. The
-   * arcs that stitching would join come first, then all others. Source: S. Nesterenko, The algorithm for polygonal networks of
-   * cross-linking, algorithm 2
+   * Finds the points of two loops that face each other. A point faces the other loop if it lies on that side of the plane through the
+   * centre of its own loop. The arcs that stitching would join come first, then the other arcs. Source: S. Nesterenko, The algorithm for
+   * polygonal networks of cross-linking, algorithm 2
    */
   readonly facing_arcs: Filter<[CurvesLike], [Curves, Report], FacingArcsParams>;
   /**
-   * Spans a strip of faces between two polylines of one direction that run side by side, both closed or both open. Source: H. Fuchs, Z.
-   * Kedem, S. Uselton, Optimal surface reconstruction from planar contours, 1977; S. Nesterenko for the rule by index
+   * Spans a strip of faces between two polylines, both closed or both open, that run side by side in the same direction. Source: H.
+   * Fuchs, Z. Kedem, S. Uselton, Optimal surface reconstruction from planar contours, 1977; S. Nesterenko for the rule by index
    */
   readonly strip: Filter<[CurvesLike], [Mesh, Report], StripParams>;
   /**
-   * Resamples a quad grid to other numbers of rows and columns, evenly spaced over the old ones. Closed sides stay closed, and poles stay
-   * poles. Source: A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks
+   * Resamples a quad grid to other numbers of rows and columns, evenly spaced over the old ones. Closed sides and poles are kept. Source:
+   * A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks
    */
   readonly net_resample: Filter<[MeshLike], [Mesh, Report], NetResampleParams>;
   /**
-   * Removes rows and columns of a quad grid as long as the surface hardly changes, always the one of least cost. The remaining vertices
-   * stay where they were. Source: A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks
+   * Removes rows and columns of a quad grid, always the one with the least deviation, up to a tolerance. The remaining vertices keep
+   * their positions. Source: A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks
    */
   readonly net_decimate: Filter<[MeshLike], [Mesh, Report], NetDecimateParams>;
   /**
-   * Joins quad grids side by side to one: the rows, or columns, of each follow those of the one before, with a row of new quads between
-   * them, or welded. Smaller grids have rows replicated to fit. Source: A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal
-   * regular networks, concatenation
+   * Joins quad grids side by side into one. The rows or columns of each grid follow the grid before it, after a row of new quads or
+   * welded. Rows of smaller grids are replicated to fit. Source: A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular
+   * networks, concatenation
    */
   readonly net_join: Filter<[MeshLike, MeshLike, ...MeshLike[]], [Mesh, Report], NetJoinParams>;
   /**
-   * Measures a quad grid as a surface of bilinear patches: area, bounding box, planarity of the quads and topology; of a closed one also
-   * volume, centroid and inertia tensor. Source: The divergence theorem on bilinear patches, with Gauss's points
+   * Measures a quad grid as a surface of bilinear patches: area, bounding box, planarity of the quads and topology. A closed grid also
+   * has volume, centroid and inertia tensor. Source: The divergence theorem on bilinear patches, with Gauss points
    */
   readonly net_measures: Filter<[MeshLike], Report, NetMeasuresParams>;
   /**
-   * Compares a quad grid before a deformation with the same mesh after it: edges that were contracted or torn, returned as segments of
-   * the original grid, and quads that were folded over. Without any the deformation is soft. Source: A. A. Deryagin, Modelling of 3D
-   * objects and scenes by tetragonal regular networks, soft and hard deformations
+   * Compares a quad grid before a deformation with the same mesh after it. It returns the edges that were contracted or torn, as segments
+   * of the original grid, and lists the quads that were folded. A deformation without any of these is soft. Source: A. A. Deryagin,
+   * Modelling of 3D objects and scenes by tetragonal regular networks, soft and hard deformations
    */
   readonly net_analyse: Filter<[MeshLike, MeshLike], [Curves, Report], NetAnalyseParams>;
   /**
-   * Revolves a curve about an axis: a quad grid whose rows are closed circles, with a pole where the curve meets the axis. Of each point
-   * of the curve its height along the axis and its distance from it are used. Source: A. A. Deryagin, Modelling of 3D objects and scenes
-   * by tetragonal regular networks
+   * Revolves a curve about an axis. The result is a quad grid whose rows are circles, with a pole where the curve meets the axis. Only
+   * the height of each point along the axis and its distance from the axis count. Source: A. A. Deryagin, Modelling of 3D objects and
+   * scenes by tetragonal regular networks
    */
   readonly net_lathe: Filter<[CurvesLike], [Mesh, Report], NetLatheParams>;
   /**
-   * Moves every vertex of a quad grid along the surface normal, at poles and across seams too; glued vertices stay glued. Source: A. A.
-   * Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks
+   * Moves every vertex of a quad grid along the surface normal. Poles and seams stay closed. Source: A. A. Deryagin, Modelling of 3D
+   * objects and scenes by tetragonal regular networks
    */
   readonly displace: Filter<[MeshLike], Mesh, DisplaceParams>;
   /**
-   * Projects the vertices of a mesh onto a plane, along a direction or through a centre, or moves them a fraction of the way. Faces are
-   * unchanged. Source: A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, projections
+   * Projects the vertices of a mesh onto a plane, along a direction or through a point, or moves them a fraction of the way. Faces do not
+   * change. Source: A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, projections
    */
   readonly project: Filter<[MeshLike], Mesh, ProjectParams>;
   /**
-   * Measures curves: length, bounding box and enclosed area. The area of a curve that is not plane is that of its largest projection; an
-   * open curve is closed by its chord. Source: T. Nadopta, Theoretical foundations of the identification of outline curves, 2008
+   * Measures curves: length, bounding box and enclosed area. A curve that is not plane has the area of its largest projection. An open
+   * curve is closed by its chord. Source: T. Nadopta, Theoretical foundations of the identification of outline curves, 2008
    */
   readonly curve_measures: Filter<[CurvesLike], Report, CurveMeasuresParams>;
   /**
-   * Resamples curves: a number of points at equal arc lengths, points at a given spacing, or as few points as keep the polyline within a
-   * distance of the curve. Source: T. Nadopta, Theoretical foundations of the identification of outline curves, 2008
+   * Resamples curves: a given number of points, points at a given spacing, or the fewest points that keep the polyline within the chord
+   * error of the curve. Source: T. Nadopta, Theoretical foundations of the identification of outline curves, 2008
    */
   readonly curve_resample: Filter<[CurvesLike], Curves, CurveResampleParams>;
   /**
-   * Draws the offset curves of plane curves, to their left seen against the normal of the plane. Corners are joined by straight segments;
-   * where the distance exceeds the radius of curvature the offset intersects itself. Source: Hermite interpolation of the exact offset,
+   * Draws the offset curves of plane curves, on their left as seen against the normal of the plane. Straight segments join the corners.
+   * An offset intersects itself where the distance exceeds the radius of curvature. Source: Hermite interpolation of the exact offset,
    * halved until the deviation measured is small enough
    */
   readonly curve_offset: Filter<[CurvesLike], [Curves, Report], CurveOffsetParams>;
   /**
-   * Finds where curves intersect, or pass each other within a distance: a curve of one point for each place, midway between the two.
-   * Self-intersections of curves in the plane z = 0 are found too. Source: Bezier clipping by convex hulls, and Newton's method
+   * Finds where curves intersect, or pass each other within a distance. Each place is a curve of one point, midway between the two
+   * curves. Self-intersections are found for curves in the plane z = 0. Source: Bezier clipping by convex hulls, and Newton's method
    */
   readonly curve_meet: Filter<[CurvesLike], [Curves, Report], CurveMeetParams>;
   /**
-   * Finds for each point of the first input the nearest point on any curve of the second, draws the segments between them, and reports
+   * Finds the nearest point on any curve of the second input for each point of the first. It draws the segments between them and reports
    * their lengths. Source: T. Nadopta, Theoretical foundations of the identification of outline curves, 2008
    */
   readonly curve_nearest: Filter<[CurvesLike, CurvesLike], [Curves, Report], CurveNearestParams>;
   /**
-   * Writes plane curves as the data of SVG paths, one line for each curve, with numbers that read back bit for bit. Smooth curves are
-   * written as Bezier curves. Source: T. Nadopta, Theoretical foundations of the identification of outline curves, 2008
+   * Writes plane curves as the data of SVG paths, one line for each curve. Numbers keep every bit. Smooth curves become Bezier curves.
+   * Source: T. Nadopta, Theoretical foundations of the identification of outline curves, 2008
    */
   readonly curve_svg: Filter<[CurvesLike], Report, CurveSvgParams>;
   /**
-   * Draws a smooth surface through consecutive sections of a body, all closed or all open: nodes are placed on the sections, curves are
-   * drawn along the body, and the surface through both is returned as a mesh. Source: T. Nadopta, Theoretical foundations of the
+   * Draws a smooth surface through consecutive sections of a body, all closed or all open. Nodes are placed on the sections, curves are
+   * drawn along the body, and a surface through both is returned as a mesh. Source: T. Nadopta, Theoretical foundations of the
    * identification of outline curves, 2008
    */
   readonly loft: Filter<[CurvesLike], [Mesh, Report], LoftParams>;
   /**
-   * Draws the smooth surface that contains all curves of a network: curves across, and in a second input curves along, each of which
-   * meets all of the first in their order. Curves across alone are skinned. The result is a mesh. Source: W. J. Gordon, Spline-blended
-   * surface interpolation through curve networks, 1969
+   * Draws the smooth surface that contains all curves of a network, as a mesh. The first input has the curves across, and a second input
+   * may have curves along. Each curve along meets all curves across in their order. Curves across alone are skinned. Source: W. J.
+   * Gordon, Spline-blended surface interpolation through curve networks, 1969
    */
   readonly smooth_net: Filter<[CurvesLike] | [CurvesLike, CurvesLike], [Mesh, Report], SmoothNetParams>;
   /**
-   * Draws isophotes of the smooth surface through the vertices of a quad grid: the curves on which its normals make one of several
-   * equally spaced angles with a direction. Where isophotes are not smooth the surface is not fair. Source: V. A. Leus, Carcasses on
-   * smooth surfaces, 1976
+   * Draws isophotes of the smooth surface through the vertices of a quad grid: curves on which the normals make one of several equally
+   * spaced angles with a direction. Where isophotes are not smooth, the surface is not fair. Source: V. A. Leus, Carcasses on smooth
+   * surfaces, 1976
    */
   readonly smooth_isophotes: Filter<[MeshLike], [Curves, Report], SmoothIsophotesParams>;
   /**
-   * Finds the intersection curves of the smooth surfaces through the vertices of two quad grids. No branch is missed; points where the
-   * surfaces touch, or branches cross, are resolved; cells where they touch along a curve or coincide are counted as unresolved. Source:
+   * Finds the intersection curves of the smooth surfaces through the vertices of two quad grids. No branch is missed. Points where the
+   * surfaces touch or branches cross are resolved. Cells where the surfaces touch along a curve or coincide count as unresolved. Source:
    * V. A. Leus, Carcasses on smooth surfaces, 1976
    */
   readonly smooth_intersect: Filter<[MeshLike, MeshLike], [Curves, Report], SmoothIntersectParams>;
   /**
-   * Finds where a line or a ray intersects the smooth surface through the vertices of a quad grid: a curve of one point for each
-   * intersection, with its distance from the given point and the normal. None is missed. Source: V. A. Leus, Carcasses on smooth
-   * surfaces, 1976
+   * Finds where a line or a ray intersects the smooth surface through the vertices of a quad grid. Each intersection is a curve of one
+   * point; the report has its distance from the given point and the normal. No intersection is missed. Source: V. A. Leus, Carcasses on
+   * smooth surfaces, 1976
    */
   readonly smooth_line: Filter<[MeshLike], [Curves, Report], SmoothLineParams>;
   /**
-   * Finds where curves intersect the smooth surface through the vertices of a quad grid: a curve of one point for each intersection. None
-   * is missed. Source: V. A. Leus, Carcasses on smooth surfaces, 1976
+   * Finds where curves intersect the smooth surface through the vertices of a quad grid. Each intersection is a curve of one point. No
+   * intersection is missed. Source: V. A. Leus, Carcasses on smooth surfaces, 1976
    */
   readonly smooth_curve: Filter<[MeshLike, CurvesLike], [Curves, Report], SmoothCurveParams>;
   /**
-   * Finds for each point of curves the nearest point on the smooth surface through the vertices of a quad grid, with proof, draws the
-   * segments between them, and reports their lengths. Source: V. A. Leus, Carcasses on smooth surfaces, 1976
+   * Finds the nearest point on the smooth surface through the vertices of a quad grid for each point of some curves. It draws the
+   * segments between them and reports their lengths, and how many nearest points are not proven. Source: V. A. Leus, Carcasses on smooth
+   * surfaces, 1976
    */
   readonly smooth_nearest: Filter<[MeshLike, CurvesLike], [Curves, Report], SmoothNearestParams>;
   /**
-   * Welds borders that lie on one another, also where their vertices do not match: edges are split where vertices of another border lie
-   * on them, if the parts then coincide two by two. Triangles with split edges are cut into triangles, larger faces gain corners. Source:
-   * Greedy clustering in the order of the vertices; edges are sewn two by two
+   * Welds coincident borders, even if their vertices do not match. An edge is split where a vertex of another border lies on it, if the
+   * parts then coincide in pairs. Triangles with split edges are cut into triangles; larger faces gain corners. Source: Greedy clustering
+   * in the order of the vertices; edges are sewn in pairs
    */
   readonly sew: Filter<[MeshLike], [Mesh, Report], SewParams>;
   /**
-   * Moves pieces that overlap, or that are parts of one broken surface, rigidly to where they fit, all at once; the first one stays. The
-   * result is one mesh of all pieces side by side, not joined. The report says of each piece, counted from 0, whether it can be trusted
-   * to lie right, and gives its motion as three rows of four numbers, a rotation and a shift. Normals that vertices carry are not turned
-   * with them. Source: P. Besl, N. McKay, A method for registration of 3-D shapes (1992); Y. Chen, G. Medioni, Object modelling by
-   * registration of multiple range images (1992); P. Neugebauer, Reconstruction of real-world objects via simultaneous registration
-   * (1997); S. Rusinkiewicz, A symmetric objective function for ICP (2019)
+   * Moves all pieces rigidly to where they fit: pieces that overlap, or parts of one broken surface. The first piece stays. The result is
+   * one mesh of all pieces, not joined. The report says whether the place of each piece, counted from 0, can be trusted. It gives the
+   * motion of the piece as three rows of four numbers: a rotation and a translation. Normals that vertices carry keep their directions.
+   * Source: P. Besl, N. McKay, A method for registration of 3-D shapes (1992); Y. Chen, G. Medioni, Object modelling by registration of
+   * multiple range images (1992); P. Neugebauer, Reconstruction of real-world objects via simultaneous registration (1997); S.
+   * Rusinkiewicz, A symmetric objective function for ICP (2019)
    */
   readonly align: Filter<[MeshLike, ...MeshLike[]], [Mesh, Report], AlignParams>;
   /**
-   * Keeps of each overlap of pieces, which must lie where they belong, one piece, and leaves a narrow gap to the others. The result is
-   * one mesh of the faces that are kept, side by side and not joined. No vertex moves and no face is cut. The report counts pieces from
-   * 0. Source: G. Turk, M. Levoy, Zippered polygon meshes from range images (1994), for the idea
+   * Keeps one piece of each overlap, and leaves a narrow gap to the other pieces. The pieces must be in their final places. The result is
+   * one mesh of all kept faces, not joined. No vertex moves, and no face is cut. The report counts pieces from 0. Source: G. Turk, M.
+   * Levoy, Zippered polygon meshes from range images (1994), for the idea
    */
   readonly trim: Filter<[MeshLike, ...MeshLike[]], [Mesh, Report], TrimParams>;
   /**
-   * Lays a surface out in the plane: the pattern to cut it from. What is no disc is opened along short paths. A surface that can be
-   * unfolded keeps every length; any other one has the least distortion, without folds or overlaps. Darts lower it further. Source:
-   * Rabinovich, Poranne, Panozzo, Sorkine-Hornung 2017; Ben-Chen, Gotsman, Bunin 2008 for darts
+   * Lays a surface out in the plane, as a pattern to cut it from. A surface that is not a disc is opened along short paths. A developable
+   * surface keeps every length. Any other surface gets the least distortion, without folds or overlaps. Darts reduce the distortion
+   * further. Source: Rabinovich, Poranne, Panozzo, Sorkine-Hornung 2017; Ben-Chen, Gotsman, Bunin 2008 for darts
    */
   readonly develop: Filter<[MeshLike], [Mesh, Report], DevelopParams>;
+  /**
+   * Moves the vertices of a quad grid as little as possible until all faces are planar, as panels of glass or sheet metal are. Failure to
+   * converge is not an error; the report tells it. Source: A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular
+   * networks, closures; Y. Liu et al., Geometric modeling with conical meshes and developable surfaces (2006)
+   */
+  readonly net_planarise: Filter<[MeshLike], [Mesh, Report], NetPlanariseParams>;
+  /**
+   * Joins quad grids side by side into one by bridges of several rows, and moves the rows of the bridges to the equilibrium of their
+   * tension, elasticity and stiffness. The given grids keep their positions. A bridge between closed sides is a tube, whose tension is
+   * that of a soap film. Failure to converge is not an error; the report tells it. Source: A. A. Deryagin, Modelling of 3D objects and
+   * scenes by tetragonal regular networks, concatenation; H.-J. Schek, The force density method for form finding (1974)
+   */
+  readonly net_settle: Filter<[MeshLike, MeshLike, ...MeshLike[]], [Mesh, Report], NetSettleParams>;
+  /**
+   * Interpolates between two meshes with the same faces, such as a mesh and a deformed copy of it. Vertices correspond by their numbers.
+   * Faces and attributes come from the first mesh. Source: A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular
+   * networks, animation transformations; B. K. P. Horn (1987) for the rotation
+   */
+  readonly morph: Filter<[MeshLike, MeshLike], Mesh, MorphParams>;
+  /**
+   * Deforms a mesh by a lattice around it. The second mesh is the lattice at rest: its vertices lie on a uniform grid along the
+   * coordinate axes, as those of a box or a subdivided cube do. The third mesh is the lattice with its vertices moved. Vertices of the
+   * first mesh inside the lattice follow; vertices outside stay. Grid points without a vertex follow the vertices around them. Source: T.
+   * Sederberg, S. Parry, Free-form deformation of solid geometric models (1986)
+   */
+  readonly lattice: Filter<[MeshLike, MeshLike, MeshLike], Mesh, LatticeParams>;
 }

@@ -35,6 +35,23 @@ static void place(uint32_t form, double u, double v, double below, double *at) {
     }
 }
 
+static void keep_mesh(shapes *made, uint32_t k, double *points, size_t vertices, uint32_t *offsets, uint32_t *corners,
+                      size_t faces) {
+    gusset_plugin_mesh *mesh = &made->views[k].mesh;
+    memset(mesh, 0, sizeof *mesh);
+    mesh->struct_size = sizeof *mesh;
+    mesh->positions = points;
+    mesh->vertex_count = vertices;
+    mesh->face_offsets = offsets;
+    mesh->face_corners = corners;
+    mesh->face_count = faces;
+    mesh->scalar = GUSSET_PLUGIN_F64;
+    made->memory[k][0] = points;
+    made->memory[k][1] = offsets;
+    made->memory[k][2] = corners;
+    made->inputs[k].view = mesh;
+}
+
 /* A sheet of n x n quads; a tube, whose columns are closed; a sphere, whose first and last rows are fans of triangles.
  */
 static void make_mesh(shapes *made, uint32_t k, uint32_t form, uint32_t n) {
@@ -73,19 +90,23 @@ static void make_mesh(shapes *made, uint32_t k, uint32_t form, uint32_t n) {
             offsets[++face] = (uint32_t)corner;
         }
     }
-    gusset_plugin_mesh *mesh = &made->views[k].mesh;
-    memset(mesh, 0, sizeof *mesh);
-    mesh->struct_size = sizeof *mesh;
-    mesh->positions = points;
-    mesh->vertex_count = vertices;
-    mesh->face_offsets = offsets;
-    mesh->face_corners = corners;
-    mesh->face_count = faces;
-    mesh->scalar = GUSSET_PLUGIN_F64;
-    made->memory[k][0] = points;
-    made->memory[k][1] = offsets;
-    made->memory[k][2] = corners;
-    made->inputs[k].view = mesh;
+    keep_mesh(made, k, points, vertices, offsets, corners, faces);
+}
+
+/* A box around the other shapes, one corner of which moves with k: a lattice at rest, and one that is moved. */
+static void make_box(shapes *made, uint32_t k) {
+    static const uint32_t quads[24] = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
+    double *points = room(24, sizeof *points);
+    uint32_t *offsets = room(7, sizeof *offsets), *corners = room(24, sizeof *corners);
+    for (uint32_t p = 0; p < 24; ++p) {
+        points[p] = (p / 3 >> p % 3 & 1) != 0 ? 2 : -2;
+        corners[p] = quads[p];
+    }
+    for (uint32_t f = 0; f < 6; ++f) {
+        offsets[f + 1] = 4 * (f + 1);
+    }
+    points[23] += 0.5 * (k - 1);
+    keep_mesh(made, k, points, 8, offsets, corners, 6);
 }
 
 /* Rings with three waves, of about n x n points in all. */
@@ -138,6 +159,8 @@ void shapes_make(shapes *made, const gusset_filter *filter, uint32_t number, uin
         made->inputs[k].kind = filter->input_kinds[k < last ? k : last];
         if (made->inputs[k].kind == GUSSET_KIND_CURVES) {
             make_curves(made, k, number, size);
+        } else if (number == 5 && k > 0) {
+            make_box(made, k);
         } else {
             make_mesh(made, k, number % 3, size);
         }

@@ -16,7 +16,7 @@ def boundary_loops(
     input_0: MeshLike, /, *, non_manifold: Union[int, Literal['cut', 'stop']] = ..., threads: int = ..., progress:
     Optional[Progress] = ...,
 ) -> tuple[Curves, Report]:
-    """Finds every boundary loop of a mesh as a polyline: the chains of edges with a face on one side only. The surface lies to the left of a loop. Where the boundary touches itself it is divided into simple loops."""
+    """Finds every boundary loop of a mesh as a polyline: a chain of edges with a face on one side only. The surface lies to the left of a loop. Where the boundary touches itself, it is divided into simple loops."""
 
 
 def stitch(
@@ -29,7 +29,7 @@ def stitch(
     intersections: Union[int, Literal['automatic', 'ignore', 'report']] = ..., outward: bool = ..., threads: int = ..., progress:
     Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Joins two boundary loops, of two meshes or of one, by a closed band of new faces, or their facing arcs by a strip. Vertices stay where they are and no face is lost."""
+    """Joins two boundary loops, of two meshes or of one, by a closed band of new faces. On request a strip joins only the arcs that face each other. All vertices keep their positions, and all faces stay."""
 
 
 def weld(
@@ -37,14 +37,14 @@ def weld(
     Union[int, Literal['keep', 'collapse']] = ..., unused: Union[int, Literal['keep', 'remove']] = ..., threads: int = ...,
     progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Merges coincident vertices. Coincident borders are welded edge to edge, whatever the orientation of their faces; or all coincident vertices are merged, as a triangle soup requires."""
+    """Merges coincident vertices. Either coincident borders are welded edge to edge, whatever the orientation of their faces, or all coincident vertices are merged, as a triangle soup requires."""
 
 
 def orient(
     input_0: MeshLike, /, *, outward: Union[int, Literal['majority', 'outwards']] = ..., threads: int = ..., progress:
     Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Reverses faces until neighbours are consistently oriented, as few as possible in each component. One-sided components, such as a Moebius strip, stay as they are."""
+    """Reverses the fewest faces of each component that make neighbours consistently oriented. One-sided components, such as a Moebius strip, stay as they are."""
 
 
 def fill_holes(
@@ -55,7 +55,7 @@ def fill_holes(
     Literal['automatic', 'ignore', 'report']] = ..., plan_only: bool = ..., continuity: Union[int, Literal['tangents', 'curvature']]
     = ..., ignore_creases: bool = ..., outward: bool = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Closes boundary loops of a mesh by new triangles: the triangulation of least weight, refined to the density of the surrounding mesh and faired. Vertices stay where they are and no face is lost."""
+    """Closes boundary loops of a mesh by new triangles: the triangulation of least weight, on request refined to the density of the surrounding mesh and faired. All vertices keep their positions, and all faces stay."""
 
 
 def assemble(
@@ -67,7 +67,7 @@ def assemble(
     outward: bool = ..., overlaps: Union[int, Literal['keep', 'trim']] = ..., align: bool = ..., threads: int = ..., progress:
     Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Joins many open pieces to one mesh: overlaps are trimmed on request, coincident borders sewn, orientations made consistent, loops that face each other across a gap stitched, holes filled on request, and closed results turned outwards. Loops that face none are left as they are."""
+    """Joins many open pieces into one mesh. Overlaps are trimmed on request. Coincident borders are sewn, orientations are made consistent, and loops that face each other across a gap are stitched. Holes are filled on request, and closed results are turned outwards. Loops that face no other loop stay as they are."""
 
 
 def outline(
@@ -77,7 +77,7 @@ def outline(
     Literal['free', 'perpendicular', 'level', 'upright', 'level_or_upright']] = ..., corner_angle: float = ..., chord_error: float =
     ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Curves, Report]:
-    """Draws smooth Bezier curves through all points of polylines, and returns them as finer polylines. Each point is the middle of a quadratic section whose control point lies on the bisector, the median or the normal at the point."""
+    """Draws smooth Bezier curves through all points of polylines, and returns them as finer polylines. Each point is the middle of a quadratic section, whose control point lies on the bisector, the median or the normal at the point."""
 
 
 def net_shape(
@@ -86,22 +86,22 @@ def net_shape(
     ..., minor_radius: float = ..., height: float = ..., triangles: bool = ..., sides: int = ..., threads: int = ..., progress:
     Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Makes a standard shape as a quad grid, closed by gluing: rows and columns of faces continue across its seams, and a side contracted to a pole is one vertex."""
+    """Makes a standard shape as a quad grid. Rows and columns of faces continue across its seams, and a side contracted to a pole is one vertex."""
 
 
 def deform(
-    input_0: MeshLike, /, *, field: Union[int, Literal['twist', 'taper', 'bend', 'shear', 'spherify']] = ..., axis: Union[int,
-    Literal['z', 'x', 'y']] = ..., amount: float = ..., strength: float = ..., threads: int = ..., progress: Optional[Progress] =
-    ...,
+    input_0: MeshLike, /, *, field: Union[int, Literal['twist', 'taper', 'bend', 'shear', 'spherify', 'cylinder_wrap', 'cone_wrap',
+    'torus_wrap', 'sphere_wrap']] = ..., axis: Union[int, Literal['z', 'x', 'y']] = ..., amount: float = ..., strength: float = ...,
+    radius: float = ..., minor_radius: float = ..., lean: float = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> Mesh:
-    """Moves the vertices of a mesh by a deformation field: twist, taper, bend or shear about an axis, or projection towards a sphere. Faces are unchanged, and coincident vertices stay coincident."""
+    """Moves the vertices of a mesh by a deformation field: twist, taper, bend or shear about an axis, projection towards a sphere, or a wrap, which rolls a sheet onto a cylinder, a cone, a torus or a sphere. Faces do not change, and coincident vertices stay coincident."""
 
 
 def smooth_surface(
     input_0: MeshLike, /, *, scheme: Union[int, Literal['smooth', 'four_points']] = ..., deviation: float = ..., parts: int = ...,
     triangles: bool = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Draws a smooth surface through the vertices of a quad grid and returns it as a finer mesh, whose vertices lie on the surface and whose faces are within the deviation of it."""
+    """Draws a smooth surface through the vertices of a quad grid, and returns it as a finer mesh. Its vertices lie on the surface, and its faces deviate from it at most as requested."""
 
 
 def smooth_sections(
@@ -109,21 +109,21 @@ def smooth_sections(
     placement: Union[int, Literal['even', 'given']] = ..., number: int = ..., offset: float = ..., distance: float = ...,
     chord_error: float = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Curves, Report]:
-    """Cuts the smooth surface through the vertices of a quad grid by parallel planes, and returns the curves in order. No curve is missed, and points lie on the surface, not on the quads."""
+    """Cuts the smooth surface through the vertices of a quad grid by parallel planes, and returns the curves in order. No curve is missed. Points lie on the surface, not on the quads."""
 
 
 def smooth_silhouette(
     input_0: MeshLike, /, *, scheme: Union[int, Literal['smooth', 'four_points']] = ..., direction: Sequence[float] = ..., angle:
     float = ..., chord_error: float = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Curves, Report]:
-    """Finds where the normals of the smooth surface through the vertices of a quad grid make an angle with a direction: at pi / 2 the silhouettes seen along it, otherwise lines of equal slope."""
+    """Finds where the normals of the smooth surface through the vertices of a quad grid make a given angle with a direction. The angle pi / 2 gives the silhouettes seen along the direction; other angles give lines of equal slope."""
 
 
 def smooth_distance(
     input_0: MeshLike, input_1: MeshLike, /, *, scheme: Union[int, Literal['smooth', 'four_points']] = ..., strength: float = ...,
     threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Measures the distances of the vertices of a mesh from the smooth surface through the vertices of a quad grid, the second mesh, and moves them towards their nearest points on it."""
+    """Measures the distances of the vertices of a mesh from a smooth surface, and moves them towards their nearest points on it. The surface passes through the vertices of a quad grid, the second mesh."""
 
 
 def check(
@@ -137,7 +137,7 @@ def facing_arcs(
     centres: Union[int, Literal['mean_of_the_points', 'mean_of_the_curve']] = ..., tolerance: float = ..., threads: int = ...,
     progress: Optional[Progress] = ...,
 ) -> tuple[Curves, Report]:
-    """Finds the points of two loops that face each other: those on the other loop's side of the plane through their own loop's centre. The arcs that stitching would join come first, then all others."""
+    """Finds the points of two loops that face each other. A point faces the other loop if it lies on that side of the plane through the centre of its own loop. The arcs that stitching would join come first, then the other arcs."""
 
 
 def strip(
@@ -146,20 +146,20 @@ def strip(
     ..., reversed: bool = ..., rows: Union[int, Literal['none', 'by_mean_edge', 'given_number']] = ..., row_count: int = ..., cells:
     Union[int, Literal['triangles', 'quads']] = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Spans a strip of faces between two polylines of one direction that run side by side, both closed or both open."""
+    """Spans a strip of faces between two polylines, both closed or both open, that run side by side in the same direction."""
 
 
 def net_resample(
     input_0: MeshLike, /, *, rows: int = ..., columns: int = ..., interpolation: Union[int, Literal['cubic', 'bilinear']] = ...,
     triangles: bool = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Resamples a quad grid to other numbers of rows and columns, evenly spaced over the old ones. Closed sides stay closed, and poles stay poles."""
+    """Resamples a quad grid to other numbers of rows and columns, evenly spaced over the old ones. Closed sides and poles are kept."""
 
 
 def net_decimate(
     input_0: MeshLike, /, *, tolerance: float = ..., triangles: bool = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Removes rows and columns of a quad grid as long as the surface hardly changes, always the one of least cost. The remaining vertices stay where they were."""
+    """Removes rows and columns of a quad grid, always the one with the least deviation, up to a tolerance. The remaining vertices keep their positions."""
 
 
 def net_join(
@@ -168,20 +168,20 @@ def net_join(
     'repeat_the_first', 'repeat_the_last', 'refuse']] = ..., twist: int = ..., turn: bool = ..., triangles: bool = ..., threads: int
     = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Joins quad grids side by side to one: the rows, or columns, of each follow those of the one before, with a row of new quads between them, or welded. Smaller grids have rows replicated to fit."""
+    """Joins quad grids side by side into one. The rows or columns of each grid follow the grid before it, after a row of new quads or welded. Rows of smaller grids are replicated to fit."""
 
 
 def net_measures(
     input_0: MeshLike, /, *, planarity: float = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> Report:
-    """Measures a quad grid as a surface of bilinear patches: area, bounding box, planarity of the quads and topology; of a closed one also volume, centroid and inertia tensor."""
+    """Measures a quad grid as a surface of bilinear patches: area, bounding box, planarity of the quads and topology. A closed grid also has volume, centroid and inertia tensor."""
 
 
 def net_analyse(
     input_0: MeshLike, input_1: MeshLike, /, *, tolerance: float = ..., listed: int = ..., threads: int = ..., progress:
     Optional[Progress] = ...,
 ) -> tuple[Curves, Report]:
-    """Compares a quad grid before a deformation with the same mesh after it: edges that were contracted or torn, returned as segments of the original grid, and quads that were folded over. Without any the deformation is soft."""
+    """Compares a quad grid before a deformation with the same mesh after it. It returns the edges that were contracted or torn, as segments of the original grid, and lists the quads that were folded. A deformation without any of these is soft."""
 
 
 def net_lathe(
@@ -189,13 +189,13 @@ def net_lathe(
     between: Union[int, Literal['straight', 'smooth', 'cubic_spline']] = ..., triangles: bool = ..., threads: int = ..., progress:
     Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Revolves a curve about an axis: a quad grid whose rows are closed circles, with a pole where the curve meets the axis. Of each point of the curve its height along the axis and its distance from it are used."""
+    """Revolves a curve about an axis. The result is a quad grid whose rows are circles, with a pole where the curve meets the axis. Only the height of each point along the axis and its distance from the axis count."""
 
 
 def displace(
     input_0: MeshLike, /, *, distance: float = ..., triangles: bool = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> Mesh:
-    """Moves every vertex of a quad grid along the surface normal, at poles and across seams too; glued vertices stay glued."""
+    """Moves every vertex of a quad grid along the surface normal. Poles and seams stay closed."""
 
 
 def project(
@@ -203,14 +203,14 @@ def project(
     'lines_through_a_point']] = ..., direction: Sequence[float] = ..., eye: Sequence[float] = ..., strength: float = ..., threads:
     int = ..., progress: Optional[Progress] = ...,
 ) -> Mesh:
-    """Projects the vertices of a mesh onto a plane, along a direction or through a centre, or moves them a fraction of the way. Faces are unchanged."""
+    """Projects the vertices of a mesh onto a plane, along a direction or through a point, or moves them a fraction of the way. Faces do not change."""
 
 
 def curve_measures(
     input_0: CurvesLike, /, *, between: Union[int, Literal['straight', 'smooth', 'cubic_spline']] = ..., threads: int = ...,
     progress: Optional[Progress] = ...,
 ) -> Report:
-    """Measures curves: length, bounding box and enclosed area. The area of a curve that is not plane is that of its largest projection; an open curve is closed by its chord."""
+    """Measures curves: length, bounding box and enclosed area. A curve that is not plane has the area of its largest projection. An open curve is closed by its chord."""
 
 
 def curve_resample(
@@ -218,35 +218,35 @@ def curve_resample(
     Literal['number', 'step', 'chord_error']] = ..., number: int = ..., step: float = ..., chord_error: float = ..., threads: int =
     ..., progress: Optional[Progress] = ...,
 ) -> Curves:
-    """Resamples curves: a number of points at equal arc lengths, points at a given spacing, or as few points as keep the polyline within a distance of the curve."""
+    """Resamples curves: a given number of points, points at a given spacing, or the fewest points that keep the polyline within the chord error of the curve."""
 
 
 def curve_offset(
     input_0: CurvesLike, /, *, between: Union[int, Literal['straight', 'smooth', 'cubic_spline']] = ..., plane: Sequence[float] =
     ..., distance: float = ..., chord_error: float = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Curves, Report]:
-    """Draws the offset curves of plane curves, to their left seen against the normal of the plane. Corners are joined by straight segments; where the distance exceeds the radius of curvature the offset intersects itself."""
+    """Draws the offset curves of plane curves, on their left as seen against the normal of the plane. Straight segments join the corners. An offset intersects itself where the distance exceeds the radius of curvature."""
 
 
 def curve_meet(
     input_0: CurvesLike, /, *, between: Union[int, Literal['straight', 'smooth', 'cubic_spline']] = ..., within: float = ...,
     threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Curves, Report]:
-    """Finds where curves intersect, or pass each other within a distance: a curve of one point for each place, midway between the two. Self-intersections of curves in the plane z = 0 are found too."""
+    """Finds where curves intersect, or pass each other within a distance. Each place is a curve of one point, midway between the two curves. Self-intersections are found for curves in the plane z = 0."""
 
 
 def curve_nearest(
     input_0: CurvesLike, input_1: CurvesLike, /, *, between: Union[int, Literal['straight', 'smooth', 'cubic_spline']] = ...,
     threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Curves, Report]:
-    """Finds for each point of the first input the nearest point on any curve of the second, draws the segments between them, and reports their lengths."""
+    """Finds the nearest point on any curve of the second input for each point of the first. It draws the segments between them and reports their lengths."""
 
 
 def curve_svg(
     input_0: CurvesLike, /, *, between: Union[int, Literal['straight', 'smooth', 'cubic_spline']] = ..., plane: Sequence[float] =
     ..., downwards: bool = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> Report:
-    """Writes plane curves as the data of SVG paths, one line for each curve, with numbers that read back bit for bit. Smooth curves are written as Bezier curves."""
+    """Writes plane curves as the data of SVG paths, one line for each curve. Numbers keep every bit. Smooth curves become Bezier curves."""
 
 
 def loft(
@@ -255,7 +255,7 @@ def loft(
     Sequence[float] = ..., deviation: float = ..., parts: int = ..., triangles: bool = ..., threads: int = ..., progress:
     Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Draws a smooth surface through consecutive sections of a body, all closed or all open: nodes are placed on the sections, curves are drawn along the body, and the surface through both is returned as a mesh."""
+    """Draws a smooth surface through consecutive sections of a body, all closed or all open. Nodes are placed on the sections, curves are drawn along the body, and a surface through both is returned as a mesh."""
 
 
 def smooth_net(
@@ -263,7 +263,7 @@ def smooth_net(
     ..., tolerance: float = ..., deviation: float = ..., parts: int = ..., triangles: bool = ..., threads: int = ..., progress:
     Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Draws the smooth surface that contains all curves of a network: curves across, and in a second input curves along, each of which meets all of the first in their order. Curves across alone are skinned. The result is a mesh."""
+    """Draws the smooth surface that contains all curves of a network, as a mesh. The first input has the curves across, and a second input may have curves along. Each curve along meets all curves across in their order. Curves across alone are skinned."""
 
 
 def smooth_isophotes(
@@ -271,14 +271,14 @@ def smooth_isophotes(
     int = ..., sides: Union[int, Literal['both', 'alike']] = ..., chord_error: float = ..., threads: int = ..., progress:
     Optional[Progress] = ...,
 ) -> tuple[Curves, Report]:
-    """Draws isophotes of the smooth surface through the vertices of a quad grid: the curves on which its normals make one of several equally spaced angles with a direction. Where isophotes are not smooth the surface is not fair."""
+    """Draws isophotes of the smooth surface through the vertices of a quad grid: curves on which the normals make one of several equally spaced angles with a direction. Where isophotes are not smooth, the surface is not fair."""
 
 
 def smooth_intersect(
     input_0: MeshLike, input_1: MeshLike, /, *, scheme: Union[int, Literal['smooth', 'four_points']] = ..., chord_error: float =
     ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Curves, Report]:
-    """Finds the intersection curves of the smooth surfaces through the vertices of two quad grids. No branch is missed; points where the surfaces touch, or branches cross, are resolved; cells where they touch along a curve or coincide are counted as unresolved."""
+    """Finds the intersection curves of the smooth surfaces through the vertices of two quad grids. No branch is missed. Points where the surfaces touch or branches cross are resolved. Cells where the surfaces touch along a curve or coincide count as unresolved."""
 
 
 def smooth_line(
@@ -286,46 +286,76 @@ def smooth_line(
     Sequence[float] = ..., which: Union[int, Literal['all_of_the_line', 'all_of_the_ray', 'first_of_the_ray']] = ..., threads: int =
     ..., progress: Optional[Progress] = ...,
 ) -> tuple[Curves, Report]:
-    """Finds where a line or a ray intersects the smooth surface through the vertices of a quad grid: a curve of one point for each intersection, with its distance from the given point and the normal. None is missed."""
+    """Finds where a line or a ray intersects the smooth surface through the vertices of a quad grid. Each intersection is a curve of one point; the report has its distance from the given point and the normal. No intersection is missed."""
 
 
 def smooth_curve(
     input_0: MeshLike, input_1: CurvesLike, /, *, scheme: Union[int, Literal['smooth', 'four_points']] = ..., between: Union[int,
     Literal['straight', 'smooth', 'cubic_spline']] = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Curves, Report]:
-    """Finds where curves intersect the smooth surface through the vertices of a quad grid: a curve of one point for each intersection. None is missed."""
+    """Finds where curves intersect the smooth surface through the vertices of a quad grid. Each intersection is a curve of one point. No intersection is missed."""
 
 
 def smooth_nearest(
     input_0: MeshLike, input_1: CurvesLike, /, *, scheme: Union[int, Literal['smooth', 'four_points']] = ..., threads: int = ...,
     progress: Optional[Progress] = ...,
 ) -> tuple[Curves, Report]:
-    """Finds for each point of curves the nearest point on the smooth surface through the vertices of a quad grid, with proof, draws the segments between them, and reports their lengths."""
+    """Finds the nearest point on the smooth surface through the vertices of a quad grid for each point of some curves. It draws the segments between them and reports their lengths, and how many nearest points are not proven."""
 
 
 def sew(
     input_0: MeshLike, /, *, tolerance: float = ..., unused: Union[int, Literal['keep', 'remove']] = ..., threads: int = ...,
     progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Welds borders that lie on one another, also where their vertices do not match: edges are split where vertices of another border lie on them, if the parts then coincide two by two. Triangles with split edges are cut into triangles, larger faces gain corners."""
+    """Welds coincident borders, even if their vertices do not match. An edge is split where a vertex of another border lies on it, if the parts then coincide in pairs. Triangles with split edges are cut into triangles; larger faces gain corners."""
 
 
 def align(
     input_0: MeshLike, *inputs: MeshLike, start: Union[int, Literal['as_they_lie', 'principal_axes', 'rims']] = ..., max_distance:
     float = ..., samples: int = ..., max_rounds: int = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Moves pieces that overlap, or that are parts of one broken surface, rigidly to where they fit, all at once; the first one stays. The result is one mesh of all pieces side by side, not joined. The report says of each piece, counted from 0, whether it can be trusted to lie right, and gives its motion as three rows of four numbers, a rotation and a shift. Normals that vertices carry are not turned with them."""
+    """Moves all pieces rigidly to where they fit: pieces that overlap, or parts of one broken surface. The first piece stays. The result is one mesh of all pieces, not joined. The report says whether the place of each piece, counted from 0, can be trusted. It gives the motion of the piece as three rows of four numbers: a rotation and a translation. Normals that vertices carry keep their directions."""
 
 
 def trim(
     input_0: MeshLike, *inputs: MeshLike, max_distance: float = ..., max_angle: float = ..., min_faces: int = ..., threads: int =
     ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Keeps of each overlap of pieces, which must lie where they belong, one piece, and leaves a narrow gap to the others. The result is one mesh of the faces that are kept, side by side and not joined. No vertex moves and no face is cut. The report counts pieces from 0."""
+    """Keeps one piece of each overlap, and leaves a narrow gap to the other pieces. The pieces must be in their final places. The result is one mesh of all kept faces, not joined. No vertex moves, and no face is cut. The report counts pieces from 0."""
 
 
 def develop(
     input_0: MeshLike, /, *, distortion: Union[int, Literal['lengths_and_areas', 'as_rigid_as_possible', 'angles']] = ..., darts:
     int = ..., stretch: float = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Lays a surface out in the plane: the pattern to cut it from. What is no disc is opened along short paths. A surface that can be unfolded keeps every length; any other one has the least distortion, without folds or overlaps. Darts lower it further."""
+    """Lays a surface out in the plane, as a pattern to cut it from. A surface that is not a disc is opened along short paths. A developable surface keeps every length. Any other surface gets the least distortion, without folds or overlaps. Darts reduce the distortion further."""
+
+
+def net_planarise(
+    input_0: MeshLike, /, *, tolerance: float = ..., keep_boundary: bool = ..., max_steps: int = ..., threads: int = ..., progress:
+    Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Moves the vertices of a quad grid as little as possible until all faces are planar, as panels of glass or sheet metal are. Failure to converge is not an error; the report tells it."""
+
+
+def net_settle(
+    input_0: MeshLike, input_1: MeshLike, *inputs: MeshLike, direction: Union[int, Literal['below', 'right']] = ..., rows: int =
+    ..., tension: float = ..., elasticity: float = ..., stiffness: float = ..., rest_ratio: float = ..., sizes: Union[int,
+    Literal['repeat_evenly', 'repeat_the_first', 'repeat_the_last', 'refuse']] = ..., twist: int = ..., turn: bool = ..., max_steps:
+    int = ..., triangles: bool = ..., threads: int = ..., progress: Optional[Progress] = ...,
+) -> tuple[Mesh, Report]:
+    """Joins quad grids side by side into one by bridges of several rows, and moves the rows of the bridges to the equilibrium of their tension, elasticity and stiffness. The given grids keep their positions. A bridge between closed sides is a tube, whose tension is that of a soap film. Failure to converge is not an error; the report tells it."""
+
+
+def morph(
+    input_0: MeshLike, input_1: MeshLike, /, *, ratio: float = ..., path: Union[int, Literal['straight', 'with_rotation']] = ...,
+    threads: int = ..., progress: Optional[Progress] = ...,
+) -> Mesh:
+    """Interpolates between two meshes with the same faces, such as a mesh and a deformed copy of it. Vertices correspond by their numbers. Faces and attributes come from the first mesh."""
+
+
+def lattice(
+    input_0: MeshLike, input_1: MeshLike, input_2: MeshLike, /, *, strength: float = ..., threads: int = ..., progress:
+    Optional[Progress] = ...,
+) -> Mesh:
+    """Deforms a mesh by a lattice around it. The second mesh is the lattice at rest: its vertices lie on a uniform grid along the coordinate axes, as those of a box or a subdivided cube do. The third mesh is the lattice with its vertices moved. Vertices of the first mesh inside the lattice follow; vertices outside stay. Grid points without a vertex follow the vertices around them."""

@@ -17,6 +17,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 SHEET = shapes.grid(7, 9, lambda u, v: 0.2 * np.sin(3 * u) * np.cos(2 * v)).reshape(-1, 3), shapes.quads(7, 9)
 BESIDE = SHEET[0] + [0, 1.2, 0], SHEET[1]
 STEEP = (SHEET[0] - [0.5, 0.5, 0])[:, [2, 1, 0]] + [0.5, 0.5, 0.1], SHEET[1]
+BOX = np.array([[x, y, z] for z in (-1.0, 1.0) for y in (-1.0, 1.0) for x in (-1.0, 1.0)]) * 1.5, [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
 angle = np.linspace(0, 2 * np.pi, 20, endpoint=False)
 RINGS = gm.Curves([np.stack([np.cos(angle), np.sin(angle), 0 * angle + k], axis=1) for k in range(4)], closed=True)
 PAIR = gm.Curves([RINGS[0], RINGS[1]], closed=True)
@@ -28,6 +29,7 @@ INPUTS = {
     "stitch": (shapes.cap(), shapes.cap(-1)), "assemble": (shapes.cap(), shapes.cap(-1)), "align": (shapes.cap(), shapes.cap()),
     "trim": (shapes.cap(), shapes.cap()), "fill_holes": (shapes.tube(),), "develop": (shapes.tube(),),
     "smooth_intersect": (SHEET, STEEP), "net_join": (SHEET, BESIDE), "net_analyse": (SHEET, BESIDE), "smooth_distance": (SHEET, BESIDE),
+    "net_settle": (SHEET, BESIDE), "morph": (SHEET, BESIDE), "lattice": (SHEET, BOX, (BOX[0] * [1, 1, 2], BOX[1])),
     "facing_arcs": (ASIDE,), "strip": (PAIR,), "curve_meet": (CROSSING,), "curve_nearest": (RINGS, LINES), "loft": (RINGS,),
     "smooth_net": (ACROSS, LINES), "smooth_curve": (SHEET, CROSSING), "smooth_nearest": (SHEET, CROSSING), "net_lathe": (gm.Curves([LINES[0]]),), "curve_offset": (gm.Curves([RINGS[0]], closed=True),), "curve_svg": (gm.Curves([RINGS[0]], closed=True),),
 }

@@ -142,6 +142,13 @@ pub fn sphere(rows: u32, columns: u32) -> Soup {
     soup
 }
 
+/// A cube about the origin: corner k is at `-side` or `side` on axis i as bit i of k says.
+pub fn box_around(side: f64) -> Soup {
+    let point = |k: u32| [0, 1, 2].map(|axis| if k >> axis & 1 == 1 { side } else { -side });
+    let faces: [&[u32]; 6] = [&[0, 2, 3, 1], &[4, 5, 7, 6], &[0, 1, 5, 4], &[2, 6, 7, 3], &[0, 4, 6, 2], &[1, 3, 7, 5]];
+    Soup::new((0..8).map(point).collect(), &faces)
+}
+
 /// Two caps that face each other askew, of about `faces` faces together.
 pub fn pieces(faces: u32) -> [Soup; 2] {
     let rings = ((f64::from(faces) / 8.0).sqrt() as u32).max(3);
@@ -177,10 +184,15 @@ pub fn given(filter: &Filter, size: u32) -> Vec<Given> {
     let curves = |lines: &[(Vec<[f64; 3]>, bool)]| Given::Curves(polylines(lines));
     match (filter.id, filter.inputs, filter.category) {
         (_, [], _) => Vec::new(),
-        ("net_analyse", ..) => {
+        ("net_analyse" | "morph", ..) => {
             let (before, mut after) = (grid(1.0, 0.0), grid(1.0, 0.0));
             after.points.iter_mut().for_each(|p| *p = [p[0] + 0.2 * p[2] * p[2], 0.8 * p[1], p[2]]);
             vec![Given::Mesh(before), Given::Mesh(after)]
+        }
+        ("lattice", ..) => {
+            let (rest, mut moved) = (box_around(2.0), box_around(2.0));
+            moved.points[7] = [3.0, 2.5, 2.0];
+            vec![mesh(1.0, 0.0), Given::Mesh(rest), Given::Mesh(moved)]
         }
         ("facing_arcs", ..) => vec![curves(&[
             (circle(size / 2 + 7, 1.0, [0.0; 3]), true),
@@ -196,7 +208,7 @@ pub fn given(filter: &Filter, size: u32) -> Vec<Given> {
         (_, [InputKind::Mesh, InputKind::Mesh, ..], _) => vec![mesh(1.0, 0.0), mesh(1.1, 0.3)],
         (_, [InputKind::Mesh, InputKind::Curves], _) => vec![mesh(1.0, 0.0), curves(&[(wave(0.1), false)])],
         (_, [InputKind::Curves, InputKind::Curves], _) => vec![curves(&[(wave(0.5), false)]), curves(&both)],
-        (_, [InputKind::Mesh], "Nets" | "Smooth surfaces") => vec![mesh(1.0, 0.0)],
+        (_, [InputKind::Mesh], "Quad grids" | "Smooth surfaces") => vec![mesh(1.0, 0.0)],
         (_, [InputKind::Mesh], _) => pieces(size).into_iter().take(filter.max_inputs).map(Given::Mesh).collect(),
         _ => vec![curves(&both)],
     }

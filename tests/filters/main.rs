@@ -7,10 +7,10 @@ mod cancel;
 mod curve;
 mod editor;
 mod mesh;
+mod moving;
 mod net;
 mod origins;
 mod overlaps;
 mod page;
-
 mod surface;
 mod table;

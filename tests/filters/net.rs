@@ -1,7 +1,8 @@
 //! Filters of nets, held against shapes that are known by formula.
 
 use crate::common::{self, Soup, sheet, torus};
-use crate::editor::{lines, mesh, number, radius, run_on, sphere, text, values};
+use crate::editor::{lines, mesh, number, radius, run_on, sphere, text, value, values};
+use glam::DVec3;
 use gusset::Error;
 use gusset::filters::data::{Input, Output};
 use std::f64::consts::PI;
@@ -179,11 +180,15 @@ fn deformations_are_soft_or_hard() {
     assert!(
         edges.points.chunks(2).all(|ends| ends[0][1] == ends[1][1] && (ends[0][0] + ends[1][0] - 5.0).abs() < 1e-12)
     );
-    assert!(text(&hard[1]).starts_with("a hard deformation: 6 edges made points, 0 torn"), "{}", text(&hard[1]));
+    assert!(
+        text(&hard[1]).starts_with("a hard deformation: 6 edges contracted to points, 0 torn"),
+        "{}",
+        text(&hard[1])
+    );
     // Folded along x = 4: the two last columns of faces lie on others.
     let folded = with(|p| p[0] = if p[0] > 4.0 { 8.0 - p[0] } else { p[0] });
     let report = text(&folded[1]);
-    assert!(report.contains("10 faces folded over") && report.contains("folded: 4 5 10 11"), "{report}");
+    assert!(report.contains("10 faces folded") && report.contains("folded: 4 5 10 11"), "{report}");
     // Torn: a closed ring, one vertex of which cannot come apart, is none; another mesh is refused.
     let refused = run("net_analyse", &[before, sheet(5, 6)], &[]);
     assert!(matches!(refused, Err(Error::InputUnfit { input: 1, .. })), "{refused:?}");
@@ -197,4 +202,102 @@ fn displaced_spheres_are_spheres() {
     assert!(points.iter().all(|p| (radius(p) - 1.5).abs() < 2e-3));
     let inwards = run("displace", &[sphere(24, 36)], &[("distance", &[-0.25])]).unwrap();
     assert!(mesh(&inwards[0]).0.iter().all(|p| (radius(p) - 0.75).abs() < 2e-3));
+}
+
+/// The largest distance of the corners of a quad from their mean plane.
+fn deviation(points: &[[f64; 3]], face: &[u32]) -> f64 {
+    let [a, b, c, d] = [0, 1, 2, 3].map(|k| DVec3::from(points[face[k] as usize]));
+    ((a - b) + (c - d)).dot((c - a).cross(d - b).normalize()).abs() / 4.0
+}
+
+#[test]
+fn planarised_grids_have_planar_faces() {
+    let mut wavy = sheet(6, 5);
+    wavy.points.iter_mut().for_each(|p| p[2] = 0.3 * (1.1 * p[0]).sin() * (0.9 * p[1] + 0.4).cos());
+    let worst =
+        |points: &[[f64; 3]], faces: &[&[u32]]| faces.iter().map(|face| deviation(points, face)).fold(0.0, f64::max);
+    let old: Vec<&[u32]> = wavy.faces().collect();
+    let size = [6.0f64, 5.0, 0.6].iter().fold(0.0, |sum: f64, side| sum.hypot(*side));
+    assert!(worst(&wavy.points, &old) > 1e-3);
+    for (tolerance, keep) in [(0.0, 0.0), (0.0, 1.0), (1e-4, 0.0)] {
+        let set: &[(&str, &[f64])] = &[("tolerance", &[tolerance]), ("keep_boundary", &[keep])];
+        let outputs = run("net_planarise", std::slice::from_ref(&wavy), set).unwrap();
+        let (points, faces) = mesh(&outputs[0]);
+        assert_eq!(faces, old);
+        let limit = if tolerance > 0.0 { tolerance } else { 1e-10 } * size;
+        let converged = value(&outputs[1], "converged") == 1.0;
+        assert!(keep == 1.0 || converged && worst(&points, &faces) <= limit, "{}", text(&outputs[1]));
+        assert!((value(&outputs[1], "deviation") - worst(&points, &faces)).abs() < 1e-12);
+        let farthest = wavy.points.iter().zip(&points).map(|(p, q)| DVec3::from(*p).distance(DVec3::from(*q)));
+        assert!((value(&outputs[1], "largest_displacement") - farthest.fold(0.0, f64::max)).abs() < 1e-12);
+        for (p, q) in wavy.points.iter().zip(&points).filter(|_| keep == 1.0) {
+            let on_boundary = p[0] % 6.0 == 0.0 || p[1] % 5.0 == 0.0;
+            assert!(!on_boundary || p == q, "{p:?} {q:?}");
+        }
+    }
+    // What is planar does not change.
+    let flat = sheet(4, 3);
+    assert_eq!(mesh(&run("net_planarise", std::slice::from_ref(&flat), &[]).unwrap()[0]).0, flat.points);
+}
+
+/// A tube of radius 1 whose two rims are at heights `low` and `high`.
+fn tube(low: f64, high: f64) -> Soup {
+    let set: &[(&str, &[f64])] = &[("shape", &[3.0]), ("rows", &[5.0]), ("columns", &[49.0])];
+    let made = run("net_shape", &[], set).unwrap();
+    let (mut points, faces) = mesh(&made[0]);
+    points.iter_mut().for_each(|p| p[2] = low + (high - low) * 0.5 * (p[2] + 1.0));
+    Soup::new(points, &faces)
+}
+
+#[test]
+fn a_film_between_two_tubes_is_a_catenoid() {
+    // The radius of the waist: c cosh(0.4 / c) = 1, the larger of two roots.
+    let (mut low, mut high) = (0.5f64, 1.0f64);
+    for _ in 0..60 {
+        let c = 0.5 * (low + high);
+        if c * (0.4 / c).cosh() < 1.0 { low = c } else { high = c }
+    }
+    let set: &[(&str, &[f64])] = &[("rows", &[15.0]), ("tension", &[1.0]), ("stiffness", &[0.0])];
+    let [below, above] = [tube(-2.4, -0.4), tube(0.4, 2.4)];
+    // The last row of the first grid is joined to the first row of the second. Which rims these are
+    // depends on the order of the faces.
+    let joined = [[below.clone(), above.clone()], [above, below]].map(|grids| run("net_settle", &grids, set).unwrap());
+    let films = joined.iter().map(|outputs| {
+        let film = mesh(&outputs[0]).0.into_iter().filter(|p| p[2].abs() < 0.399).collect::<Vec<_>>();
+        (film, outputs)
+    });
+    let (film, outputs) = films.max_by_key(|(film, _)| film.len()).unwrap();
+    assert_eq!(film.len(), 15 * 48, "{}", text(&outputs[1]));
+    assert_eq!(value(&outputs[1], "converged"), 1.0, "{}", text(&outputs[1]));
+    for p in &film {
+        let expected = low * (p[2] / low).cosh();
+        assert!((p[0].hypot(p[1]) - expected).abs() < 2e-3, "{p:?} {expected}");
+    }
+    assert!(value(&outputs[1], "energy") < value(&outputs[1], "energy_before"));
+}
+
+#[test]
+fn stiff_bridges_leave_sheets_without_a_kink() {
+    // Two sheets with a gap of 3 between them, the second one 1 higher.
+    let (first, mut second) = (sheet(4, 3), sheet(4, 3));
+    second.points.iter_mut().for_each(|p| *p = [p[0] + 7.0, p[1], 1.0]);
+    let set: &[(&str, &[f64])] = &[("direction", &[1.0]), ("rows", &[11.0])];
+    let outputs = run("net_settle", &[first.clone(), second.clone()], set).unwrap();
+    let (points, faces) = mesh(&outputs[0]);
+    assert_eq!((faces.len(), common::euler(faces.iter().copied())), (24 + 12 * 3, 1));
+    assert!(first.points.iter().chain(&second.points).all(|p| points.contains(p)));
+    // A thin beam, clamped at both ends: a cubic polynomial.
+    let bridge: Vec<_> = points.iter().filter(|p| p[0] > 4.0 && p[0] < 7.0).collect();
+    assert_eq!(bridge.len(), 11 * 4);
+    for p in bridge {
+        let t = (p[0] - 4.0) / 3.0;
+        let height = t * t * (3.0 - 2.0 * t);
+        assert!((p[2] - height).abs() < 0.03, "{p:?} {height}");
+    }
+    // Without a force the bridge is straight.
+    let straight = run("net_settle", &[first, second], &[set[0], set[1], ("stiffness", &[0.0])]).unwrap();
+    assert_eq!(value(&straight[1], "idle_bridges"), 1.0);
+    for p in mesh(&straight[0]).0.iter().filter(|p| p[0] > 4.0 && p[0] < 7.0) {
+        assert!((p[2] - (p[0] - 4.0) / 3.0).abs() < 1e-12, "{p:?}");
+    }
 }

@@ -7,7 +7,8 @@ use gusset::filters::data::{Input, Output};
 use gusset::filters::{FILTERS, Filter};
 
 /// Filters that put vertices elsewhere.
-const MOVING: [&str; 6] = ["align", "deform", "develop", "displace", "project", "smooth_distance"];
+const MOVING: [&str; 9] =
+    ["align", "deform", "develop", "displace", "lattice", "morph", "net_planarise", "project", "smooth_distance"];
 
 /// The only source of an element, if it has one only.
 fn only(origins: &Origins, domain: Domain, k: usize) -> Option<usize> {

@@ -53,6 +53,10 @@ const IDS: &[&str] = &[
     "align",
     "trim",
     "develop",
+    "net_planarise",
+    "net_settle",
+    "morph",
+    "lattice",
 ];
 
 /// Choices that need other inputs or values: nets that are welded lie on each other, and so on.
@@ -362,7 +366,7 @@ fn what_is_no_grid_is_refused_by_filters_of_grids() {
     let [first, second] = pieces(100);
     let both = [first.and(&second), crate::editor::sphere(6, 9)];
     for filter in FILTERS.iter().filter(|f| f.inputs.first() == Some(&InputKind::Mesh)) {
-        let grids = ["Nets", "Smooth surfaces"].contains(&filter.category);
+        let grids = ["Quad grids", "Smooth surfaces"].contains(&filter.category);
         let any = ["deform", "project", "smooth_distance"].contains(&filter.id);
         if grids && !any && filter.inputs.iter().all(|&kind| kind == InputKind::Mesh) {
             let refused = run_on(filter.id, &both[..filter.max_inputs.min(2)], &[]);

@@ -7,6 +7,8 @@ import { cap, part, rings, sheet, tube } from "./shapes.mjs";
 const SHEET = sheet();
 const BESIDE = sheet(7, 9, undefined, ([x, y, z]) => [x, y + 1.2, z]);
 const STEEP = sheet(7, 9, undefined, ([x, y, z]) => [z + 0.5, y, x - 0.5 + 0.1]);
+const box = (z) => new Mesh([-z, z].flatMap((h) => [[-1.5, -1.5, h], [1.5, -1.5, h], [-1.5, 1.5, h], [1.5, 1.5, h]]).flat(),
+  [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]);
 const RINGS = rings();
 const PAIR = part(RINGS, 0, 1);
 const ASIDE = rings(2, 20, (k) => [3 * k, 0, 0]);
@@ -16,6 +18,7 @@ const CROSSING = new Curves([[[-2, 0.1, 0], [-1, 0.2, 0], [2, 0.1, 0]], [[0.3, -
 const INPUTS = {
   stitch: [cap(), cap(-1)], assemble: [cap(), cap(-1)], align: [cap(), cap()], trim: [cap(), cap()], fill_holes: [tube()], develop: [tube()],
   smooth_intersect: [SHEET, STEEP], net_join: [SHEET, BESIDE], net_analyse: [SHEET, BESIDE], smooth_distance: [SHEET, BESIDE],
+  net_settle: [SHEET, BESIDE], morph: [SHEET, BESIDE], lattice: [SHEET, box(1), box(2)],
   facing_arcs: [ASIDE], strip: [PAIR], curve_meet: [CROSSING], curve_nearest: [RINGS, LINES], loft: [RINGS], smooth_net: [ACROSS, LINES],
   smooth_curve: [SHEET, CROSSING], smooth_nearest: [SHEET, CROSSING], net_lathe: [part(LINES, 0)], curve_offset: [part(RINGS, 0)],
   curve_svg: [part(RINGS, 0)],

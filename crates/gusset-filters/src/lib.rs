@@ -31,14 +31,18 @@ mod extent;
 mod facing_arcs;
 mod fill_holes;
 pub mod filter;
+mod lattice;
 mod loft;
+mod morph;
 mod moving;
 mod net_analyse;
 mod net_decimate;
 mod net_join;
 mod net_lathe;
 mod net_measures;
+mod net_planarise;
 mod net_resample;
+mod net_settle;
 mod net_shape;
 mod orient;
 mod outline;
@@ -108,6 +112,10 @@ pub static FILTERS: &[Filter] = &[
     align::FILTER,
     trim::FILTER,
     develop::FILTER,
+    net_planarise::FILTER,
+    net_settle::FILTER,
+    morph::FILTER,
+    lattice::FILTER,
 ];
 
 impl Filter {

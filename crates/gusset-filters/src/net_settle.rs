@@ -1,0 +1,108 @@
+use super::data::{Input, Output};
+use super::filter::{Body, Filter};
+use super::net_join::{DIRECTION, SIZES, TURN, TWIST, joined};
+use super::quads::{self, CATEGORY, TRIANGLES};
+use super::report::{Report, counted, short};
+use super::signatures::{TO_MESH_TEXT, TWO_MESHES};
+use super::typed::{NON_NEGATIVE, Param, Values, params};
+use gusset_base::error::Result;
+use gusset_base::job::Job;
+use gusset_net::settle::{SettleOptions, Settled, settle};
+use gusset_net::{BridgeProperties, Direction, JoinOptions, Replication};
+
+pub(super) const FILTER: Filter = Filter {
+    id: "net_settle",
+    name: "Join quad grids by elastic bridges",
+    category: CATEGORY,
+    help: "Joins quad grids side by side into one by bridges of several rows, and moves the rows of the bridges to the \
+           equilibrium of their tension, elasticity and stiffness. The given grids keep their positions. A bridge between \
+           closed sides is a tube, whose tension is that of a soap film. Failure to converge is not an error; the report tells \
+           it.",
+    reference: "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, concatenation; H.-J. Schek, \
+                The force density method for form finding (1974)",
+    max_inputs: 1 << 16,
+    ..Filter::new(TWO_MESHES, TO_MESH_TEXT, &Body(run))
+};
+
+params! {
+    direction: Direction = DIRECTION;
+    rows: u32 = Param::int("Rows", "The number of rows of new vertices in each bridge.", [1.0, 10_000.0], &[8.0]);
+    tension: f64 = Param::real(
+        "Tension",
+        "The force in each line across a ribbon, or the force per length in a tube.",
+        NON_NEGATIVE, &[0.0],
+    );
+    elasticity: f64 = Param::real(
+        "Elasticity",
+        "The force that doubles the length of a line across a bridge.",
+        NON_NEGATIVE, &[0.0],
+    );
+    stiffness: f64 = Param::real(
+        "Stiffness",
+        "The bending stiffness of each line across a bridge, as force times squared length. Stiff lines leave the grids without \
+         a kink.",
+        NON_NEGATIVE, &[1.0],
+    );
+    rest_ratio: f64 = Param::real(
+        "Rest length",
+        "The length of an unstressed bridge, as a multiple of its straight length. Only elastic bridges depend on it.",
+        [1e-3, 1e3], &[1.0],
+    );
+    sizes: Option<Replication> = SIZES;
+    twist: u32 = TWIST;
+    turn: bool = TURN;
+    max_steps: u32 = Param::int("Most steps", "The largest number of steps.", [1.0, 1e6], &[1000.0]);
+    triangles: bool = TRIANGLES;
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let Params { tension, elasticity, stiffness, .. } = **values;
+    let options = JoinOptions {
+        equalise: values.sizes,
+        twist: values.twist,
+        turn: values.turn,
+        properties: BridgeProperties { tension, elasticity, stiffness, user: 0 },
+        rows: values.rows,
+        ..JoinOptions::new(values.direction)
+    };
+    let mut net = joined(inputs, &options, &job.part(0.0, 0.4))?;
+    let options =
+        SettleOptions { rest_ratio: values.rest_ratio, max_iterations: values.max_steps, ..SettleOptions::default() };
+    let done = settle(&mut net, &options, &job.part(0.4, 0.8))?;
+    let made = quads::mesh(&net, values.triangles, &job.part(0.8, 1.0))?;
+    Ok(vec![Output::Mesh(made, None), Output::Text(report(&done))])
+}
+
+fn report(done: &Settled) -> Report {
+    let energy = done.tension_energy + done.elastic_energy + done.bending_energy;
+    let collapsed = match done.collapsed {
+        0 => String::new(),
+        count => format!("{} collapsed\n", counted(count, ["film", "films"])),
+    };
+    let text = format!(
+        "{} settled, {} without forces; energy {} before, {} now\nlargest force left {}, largest displacement {}; {}{}\n{collapsed}",
+        counted(done.settled, ["bridge", "bridges"]),
+        done.idle,
+        short(done.energy_before),
+        short(energy),
+        short(done.residual_force),
+        short(done.max_displacement),
+        counted(done.iterations, ["step", "steps"]),
+        if done.converged { "" } else { ", not converged" }
+    );
+    let values = [
+        ("settled_bridges", f64::from(done.settled)),
+        ("idle_bridges", f64::from(done.idle)),
+        ("energy_before", done.energy_before),
+        ("energy", energy),
+        ("tension_energy", done.tension_energy),
+        ("elastic_energy", done.elastic_energy),
+        ("bending_energy", done.bending_energy),
+        ("residual_force", done.residual_force),
+        ("largest_displacement", done.max_displacement),
+        ("steps", f64::from(done.iterations)),
+        ("converged", f64::from(u8::from(done.converged))),
+        ("collapsed_films", f64::from(done.collapsed)),
+    ];
+    Report::new(text, &values)
+}
