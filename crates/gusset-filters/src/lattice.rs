@@ -40,7 +40,7 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
     let (rest, changed) = (inputs[1].mesh()?, inputs[2].mesh()?);
     job.step(0.0, "lattice")?;
     require_same_faces(rest, changed, 2)?;
-    let lattice = lattice(rest, changed)?;
+    let lattice = lattice(rest, changed, &job.part(0.0, 0.1))?;
     let moved = moved(inputs[0].mesh()?, &lattice, values.strength, &job.part(0.1, 1.0))?;
     Ok(vec![moved_output(moved, inputs, values, job)?])
 }
@@ -51,7 +51,7 @@ fn unfit(why: &'static str) -> Error {
 }
 
 /// The lattice that takes one mesh to another.
-fn lattice(rest: &MeshView<'_>, changed: &MeshView<'_>) -> Result<Lattice> {
+fn lattice(rest: &MeshView<'_>, changed: &MeshView<'_>, job: &Job<'_>) -> Result<Lattice> {
     let ends = (0..rest.positions().len() as u32).map(|v| [rest, changed].map(|mesh| mesh.positions().get(v)));
     let ends = alloc::gather(ends.filter(|ends| ends.iter().all(|point| point.is_finite())))?;
     let extent = Aabb::from_points(ends.iter().map(|[from, _]| *from));
@@ -61,6 +61,7 @@ fn lattice(rest: &MeshView<'_>, changed: &MeshView<'_>) -> Result<Lattice> {
     }
     let mut counts = [1; 3];
     for (axis, count) in counts.iter_mut().enumerate() {
+        job.step(0.2 + 0.2 * axis as f64, "lattice")?;
         let mut places = alloc::collect(ends.iter().map(|[from, _]| from[axis]))?;
         places.sort_unstable_by(f64::total_cmp);
         *count += places.windows(2).filter(|pair| pair[1] - pair[0] > MIN_SPACING * size[axis]).count();
@@ -68,6 +69,7 @@ fn lattice(rest: &MeshView<'_>, changed: &MeshView<'_>) -> Result<Lattice> {
             return Err(unfit("a lattice has at most 32 grid points along each coordinate axis"));
         }
     }
+    job.step(0.8, "lattice")?;
     let steps = DVec3::from(counts.map(|count| (count - 1) as f64));
     let mut offsets = alloc::filled(None, counts.iter().product())?;
     for [from, to] in &ends {
