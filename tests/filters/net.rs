@@ -235,7 +235,7 @@ fn planarised_grids_have_planar_faces() {
             assert!(!on_boundary || p == q, "{p:?} {q:?}");
         }
     }
-    // What is planar does not change.
+    // A planar mesh does not change.
     let flat = sheet(4, 3);
     assert_eq!(mesh(&run("net_planarise", std::slice::from_ref(&flat), &[]).unwrap()[0]).0, flat.points);
 }
