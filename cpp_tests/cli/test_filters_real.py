@@ -27,6 +27,11 @@ class Real(unittest.TestCase):
         heights = [list(map(float, row)) for row in cls.table("grids/volcano_maunga_whau_61x87.csv")]
         cls.hill = cls.host.folder / "volcano.obj"
         write_obj(cls.hill, *grid(len(heights), len(heights[0]), lambda i, j: 0.1 * heights[i][j]))
+        # A box around all meshes, and the box with a corner pulled out.
+        corners = [(1000 * x, 1000 * y, 1000 * z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
+        cls.boxes = [cls.host.folder / "box.obj", cls.host.folder / "pulled.obj"]
+        write_obj(cls.boxes[0], corners, [(0, 1, 3, 2)])
+        write_obj(cls.boxes[1], [*corners[:7], (1500, 1200, 1100)], [(0, 1, 3, 2)])
         levels = json.loads((cls.data / "carcass/foot_levels_y.json").read_text())["stations"]
         levels = [level["points"] for level in levels]
         rows = [[(j, i, 0.1 * height) for j, height in enumerate(row)] for i, row in enumerate(heights)]
@@ -64,7 +69,9 @@ class Real(unittest.TestCase):
         suited = {"mesh": [*known, self.hill], "curves": self.outlines}
         together = [[self.data / f"pairs/bunny_cut/{name}.off" for name in ("head", "body")],
                     [self.data / f"pairs/combustor/{name}.stl" for name in ("walls", "inlet", "outlet")]]
-        whole = [pair[:len(kinds)] for pair in together if kinds == ["mesh"] * len(kinds) and len(kinds) > 1]
+        if name == "lattice":
+            return [(known[0], *self.boxes)]
+        whole = [pair[:len(kinds)] for pair in together if kinds == ["mesh"] * len(kinds) and 1 < len(kinds) and needed <= len(pair)]
         for count in range(len(kinds), needed - 1, -1):
             whole += itertools.product(*(suited[kind] for kind in kinds[:count]))
         return whole

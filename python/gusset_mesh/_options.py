@@ -467,7 +467,7 @@ class StreamOptions(TypedDict, total=False):
     #: QUANTISED: bits of a coordinate, 8 to 24; 0: 14. Else 0.
     bits: int
     #: QUANTISED, 1: each axis has its own step; 0: the longest extent gives the step of all. Else 0.
-    per_axis: int
+    per_axis: bool
 
 
 class SurfaceOptions(TypedDict, total=False):
@@ -798,7 +798,7 @@ FIELDS: dict[str, dict[str, Keyword]] = {
         "rows_per_block": Keyword('int'),
         "mode": Keyword('choice', choices.NUMBERS['gusset_stream_mode']),
         "bits": Keyword('int'),
-        "per_axis": Keyword('int'),
+        "per_axis": Keyword('flag'),
     },
     "gusset_surface_options": {
         "tolerance": Keyword('float'),

@@ -344,7 +344,7 @@ def net_settle(
     Literal['repeat_evenly', 'repeat_the_first', 'repeat_the_last', 'refuse']] = ..., twist: int = ..., turn: bool = ..., max_steps:
     int = ..., triangles: bool = ..., threads: int = ..., progress: Optional[Progress] = ...,
 ) -> tuple[Mesh, Report]:
-    """Joins quad grids side by side into one by bridges of several rows, and moves the rows of the bridges to the equilibrium of their tension, elasticity and stiffness. The given grids keep their positions. A bridge between closed sides is a tube, whose tension is that of a soap film. Failure to converge is not an error; the report tells it."""
+    """Joins quad grids side by side into one by bridges of several rows, and moves the rows of the bridges to the equilibrium of their tension, elasticity and stiffness. The given grids keep their positions. A bridge between closed sides is a tube, whose tension acts like a soap film. Failure to converge is not an error; the report tells it."""
 
 
 def morph(
@@ -358,4 +358,4 @@ def lattice(
     input_0: MeshLike, input_1: MeshLike, input_2: MeshLike, /, *, strength: float = ..., threads: int = ..., progress:
     Optional[Progress] = ...,
 ) -> Mesh:
-    """Deforms a mesh by a lattice around it. The second mesh is the lattice at rest: its vertices lie on a uniform grid along the coordinate axes, as those of a box or a subdivided cube do. The third mesh is the lattice with its vertices moved. Vertices of the first mesh inside the lattice follow; vertices outside stay. Grid points without a vertex follow the vertices around them."""
+    """Deforms a mesh by a lattice around it. The second mesh is the lattice at rest: its vertices lie on a uniform grid along the coordinate axes, like the vertices of a box or of a subdivided cube. The third mesh is the lattice with its vertices moved. Vertices of the first mesh inside the lattice follow; vertices outside stay. Grid points without a vertex follow the vertices around them."""

@@ -8,6 +8,7 @@ PACKAGE = ROOT / "python/gusset_mesh"
 
 #: Functions that Python omits on purpose. The name of a new C function is added to the package, or here.
 WITHOUT = {
+    "gusset_choice_text": "choices are words",
     "gusset_abi": "the package has the library that it was built with",
     "gusset_context_get_progress": "progress= is called with it",
     "gusset_context_set_log": "reports say the same",
