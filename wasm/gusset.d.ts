@@ -1533,8 +1533,8 @@ export interface Filters {
   readonly net_planarise: Filter<[MeshLike], [Mesh, Report], NetPlanariseParams>;
   /**
    * Joins quad grids side by side into one by bridges of several rows, and moves the rows of the bridges to the equilibrium of their
-   * tension, elasticity and stiffness. The given grids keep their positions. A bridge between closed sides is a tube, whose tension is
-   * that of a soap film. Failure to converge is not an error; the report tells it. Source: A. A. Deryagin, Modelling of 3D objects and
+   * tension, elasticity and stiffness. The given grids keep their positions. A bridge between closed sides is a tube, whose tension acts
+   * like a soap film. Failure to converge is not an error; the report tells it. Source: A. A. Deryagin, Modelling of 3D objects and
    * scenes by tetragonal regular networks, concatenation; H.-J. Schek, The force density method for form finding (1974)
    */
   readonly net_settle: Filter<[MeshLike, MeshLike, ...MeshLike[]], [Mesh, Report], NetSettleParams>;
@@ -1546,9 +1546,9 @@ export interface Filters {
   readonly morph: Filter<[MeshLike, MeshLike], Mesh, MorphParams>;
   /**
    * Deforms a mesh by a lattice around it. The second mesh is the lattice at rest: its vertices lie on a uniform grid along the
-   * coordinate axes, as those of a box or a subdivided cube do. The third mesh is the lattice with its vertices moved. Vertices of the
-   * first mesh inside the lattice follow; vertices outside stay. Grid points without a vertex follow the vertices around them. Source: T.
-   * Sederberg, S. Parry, Free-form deformation of solid geometric models (1986)
+   * coordinate axes, like the vertices of a box or of a subdivided cube. The third mesh is the lattice with its vertices moved. Vertices
+   * of the first mesh inside the lattice follow; vertices outside stay. Grid points without a vertex follow the vertices around them.
+   * Source: T. Sederberg, S. Parry, Free-form deformation of solid geometric models (1986)
    */
   readonly lattice: Filter<[MeshLike, MeshLike, MeshLike], Mesh, LatticeParams>;
 }
