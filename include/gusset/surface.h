@@ -720,7 +720,7 @@ typedef struct gusset_surface_report {
     size_t node_count;
     /// Bytes of the index, without nodes and cones of normals.
     size_t index_bytes;
-    /// Length to which answers are proved.
+    /// Guaranteed accuracy of distances and positions in answers, as a length.
     double tolerance;
     /// Least x, y, z of a box round the surface and its control nets.
     double low[3];
@@ -805,7 +805,7 @@ typedef struct gusset_curve_net {
     uint32_t closed_v;
 } gusset_curve_net;
 
-/// Makes a sheet of Bézier patches in rows and columns.
+/// Makes a sheet from Bézier patches in rows and columns.
 /// Adjacent patches should share sides. Repeated points and poles are allowed.
 /// @param points x, y, z: patch after patch, row after row. In each patch of (degree_u + 1) x (degree_v + 1) points, v
 ///     varies fastest.
@@ -819,7 +819,8 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_from_patches_create(const 
     const double *points, uint32_t degree_u, uint32_t degree_v, size_t rows, size_t columns,
     struct gusset_sheet **sheet);
 
-/// Makes a sheet of a B-spline. Cells are the non-empty spans, exact except for rounding.
+/// Makes a sheet from a B-spline surface. If all weights are equal, each non-empty knot span becomes a cell, which is
+/// exact except for rounding.
 /// Rows and columns begin at the parameters 0, 1, 2, ... gusset_sheet_get_report returns the spline's parameters there,
 /// and the proved deviation.
 /// If weights differ:
