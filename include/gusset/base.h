@@ -173,7 +173,7 @@ typedef uint32_t gusset_element;
 #define GUSSET_ELEMENT_HALF_EDGE 3
 /// Entry of an array of offsets, such as face_offsets or cut_offsets.
 #define GUSSET_ELEMENT_OFFSET 4
-/// Place in a given loop; the report's input is the number of the loop.
+/// Position in a loop that the caller gave. The `input` field of the report is the loop's number.
 #define GUSSET_ELEMENT_LOOP_PLACE 5
 /// Number of elements or bytes.
 #define GUSSET_ELEMENT_COUNT 6

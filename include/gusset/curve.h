@@ -318,13 +318,14 @@ typedef struct gusset_outline_report {
     uint32_t reserved;
 } gusset_outline_report;
 
-/// Fits a curve through the points of each outline.
-/// If a demand at a point cannot be met, its status says so; the curve still passes the point if possible.
+/// Fits a Bézier curve through the points of each outline.
+/// If a constraint at a point cannot be met, the point's status says so. The curve still passes through the point if
+/// possible.
 /// @errors OUT_OF_RANGE (an option or the dimension), BAD_STRIDE, BAD_OFFSETS, TOO_LARGE, NOT_FINITE (point),
 ///     NO_SUCH_ELEMENT (constraint: its point does not exist or is out of order)
-/// @complexity O(points) for composite, blended and cubic curves. Memory of the result, and about 1,500 bytes a point
-///     of the largest outline with GUSSET_JOINT_PARAMETER_G2.
-/// @source Nadopta.
+/// @complexity O(points) for composite, blended and cubic curves. With GUSSET_JOINT_PARAMETER_G2, takes about 1,500
+///     bytes for each point of the largest outline, besides the result.
+/// @source T. Nadopta (see the README).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_outline_create(const struct gusset_context *context,
     const struct gusset_outlines *outlines, const struct gusset_outline_options *options,
     struct gusset_outline **outline);
@@ -692,7 +693,8 @@ typedef uint32_t gusset_offset_direction;
 typedef struct gusset_frame_options {
     size_t struct_size;
     gusset_correspondence_rule correspondence;
-    /// ARC_LENGTH, ANGLE: nodes in a section. LANDMARKS: parts between two landmarks.
+    /// Number of columns. With ARC_LENGTH and ANGLE, nodes in each section. With LANDMARKS, parts between two
+    /// consecutive landmarks.
     uint32_t columns;
     /// 1: the first section follows the last. @flag
     uint32_t ring;

@@ -52,7 +52,8 @@ struct OffsetOptions {
 struct FrameOptions {
     /// Correspondence of points between sections.
     CorrespondenceRule correspondence = CorrespondenceRule::given;
-    /// ARC_LENGTH, ANGLE: nodes in a section. LANDMARKS: parts between two landmarks.
+    /// Number of columns. With ARC_LENGTH and ANGLE, nodes in each section. With LANDMARKS, parts between two
+    /// consecutive landmarks.
     uint32_t columns = 0;
     /// 1: the first section follows the last.
     bool ring = false;

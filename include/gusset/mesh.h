@@ -292,12 +292,12 @@ typedef uint32_t gusset_finish;
 
 /// Source of the tolerance.
 typedef uint32_t gusset_tolerance_mode;
-/// Rounding error of the coordinates. For facing vertices, at most 2^-16 (32-bit positions) or 2^-45 (64-bit) of the
-/// largest coordinate of the loops. For welding, see gusset_weld_options.
+/// Uses the rounding error of the coordinates. For facing vertices this is at most 2^-16 (32-bit positions) or 2^-45
+/// (64-bit positions) times the largest coordinate of the loops. For welding, see gusset_weld_options.
 #define GUSSET_TOLERANCE_AUTO 0
-/// The given tolerance.
+/// Uses the given tolerance.
 #define GUSSET_TOLERANCE_GIVEN 1
-/// 0; welding requires equal positions.
+/// Uses tolerance 0; welding then requires equal positions.
 #define GUSSET_TOLERANCE_EXACT 2
 
 /// The side that closed components of a result face.
@@ -1796,7 +1796,8 @@ typedef uint32_t gusset_rule;
 ///   distance to the old edge and its length combined.
 #define GUSSET_RULE_TEXTURE 4
 
-/// Type of the values of elements, and the rule that combines them.
+/// Describes an attribute: which elements have values, the type of a value, and the rule that combines the values of
+/// several sources.
 typedef struct gusset_channel {
     size_t struct_size;
     /// Elements that have values.

@@ -647,11 +647,11 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_displace(const struct gusset
 /// Measures to compute.
 /// @bits
 typedef uint32_t gusset_net_measures;
-/// area, volume, area_vector, low and high.
+/// Computes area, volume, area_vector, low and high.
 #define GUSSET_NET_MEASURES_EXTENT 1
-/// bilinear_area and bilinear_error; about ten times the cost.
+/// Computes bilinear_area and bilinear_error, at about ten times the cost.
 #define GUSSET_NET_MEASURES_BILINEAR 2
-/// body_volume, centroid and inertia; about ten times the cost.
+/// Computes body_volume, centroid and inertia, at about ten times the cost.
 #define GUSSET_NET_MEASURES_BODY 4
 
 /// Measures of a net; 0 unless requested.

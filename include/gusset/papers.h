@@ -92,7 +92,7 @@ struct gusset_surface;
 typedef struct gusset_reference_task {
     size_t struct_size;
     gusset_reference_object object;
-    /// 0: cells that may have a point within `within`; 1: cells that may have the nearest point.
+    /// Cells to find. 0: cells that may have a point at most `within` away. 1: cells that may have the nearest point.
     uint32_t find_nearest;
     /// x, y, z; not read for angles.
     double point[3];
@@ -186,9 +186,10 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_normals_by_sections(const 
 
 /// Orientation of faces in a mesh.
 typedef uint32_t gusset_winding;
-/// Counter-clockwise seen from outside; the tables reverse them.
+/// Faces are counter-clockwise seen from outside. The winged-edge tables list each face in reverse, clockwise, as
+/// Baumgart does.
 #define GUSSET_FACES_COUNTER_CLOCKWISE 0
-/// Clockwise seen from outside, as Baumgart has it.
+/// Faces are clockwise seen from outside, as in Baumgart's tables.
 #define GUSSET_FACES_CLOCKWISE 1
 
 /// Marks of an edge.

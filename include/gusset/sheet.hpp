@@ -14,7 +14,7 @@ namespace gusset {
 /// gusset_nodes.
 class NodesView {
 public:
-    /// Row after row: any container that keeps its elements side by side, whose first bytes are
+    /// Views nodes row by row. `points` is a contiguous container, and each element begins with
     /// three floats or doubles.
     template <class Container>
     NodesView(std::size_t rows, std::size_t columns, const Container &points, const NodesOptions &options = {}) {

@@ -73,7 +73,8 @@ typedef struct gusset_surface_contact {
 /// Options of gusset_surface_create.
 typedef struct gusset_surface_options {
     size_t struct_size;
-    /// Length to which answers are proved, finite; 0: 1e-9 of the surface's box diagonal.
+    /// Guaranteed accuracy of distances and positions in answers, as a length, finite. 0: 1e-9 of the diagonal of the
+    /// surface's bounding box.
     double tolerance;
     /// 1: builds the cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle, about 0.7 bytes a
     /// node; 0: the first such query builds them. @flag
@@ -720,7 +721,7 @@ typedef struct gusset_surface_report {
     size_t node_count;
     /// Bytes of the index, without nodes and cones of normals.
     size_t index_bytes;
-    /// Length to which answers are proved.
+    /// Guaranteed accuracy of distances and positions in answers, as a length.
     double tolerance;
     /// Least x, y, z of a box round the surface and its control nets.
     double low[3];
@@ -805,7 +806,7 @@ typedef struct gusset_curve_net {
     uint32_t closed_v;
 } gusset_curve_net;
 
-/// Makes a sheet of Bézier patches in rows and columns.
+/// Makes a sheet from Bézier patches in rows and columns.
 /// Adjacent patches should share sides. Repeated points and poles are allowed.
 /// @param points x, y, z: patch after patch, row after row. In each patch of (degree_u + 1) x (degree_v + 1) points, v
 ///     varies fastest.
@@ -819,7 +820,8 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_from_patches_create(const 
     const double *points, uint32_t degree_u, uint32_t degree_v, size_t rows, size_t columns,
     struct gusset_sheet **sheet);
 
-/// Makes a sheet of a B-spline. Cells are the non-empty spans, exact except for rounding.
+/// Makes a sheet from a B-spline surface. If all weights are equal, each non-empty knot span becomes a cell, which is
+/// exact except for rounding.
 /// Rows and columns begin at the parameters 0, 1, 2, ... gusset_sheet_get_report returns the spline's parameters there,
 /// and the proved deviation.
 /// If weights differ:

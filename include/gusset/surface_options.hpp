@@ -10,7 +10,8 @@ namespace gusset {
 
 /// Options of gusset_surface_create. See ::gusset_surface_options.
 struct SurfaceOptions {
-    /// Length to which answers are proved, finite; 0: 1e-9 of the surface's box diagonal.
+    /// Guaranteed accuracy of distances and positions in answers, as a length, finite. 0: 1e-9 of the diagonal of the
+    /// surface's bounding box.
     double tolerance = 0.0;
     /// 1: builds the cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle, about 0.7 bytes a
     /// node; 0: the first such query builds them.

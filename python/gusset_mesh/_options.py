@@ -473,7 +473,8 @@ class StreamOptions(TypedDict, total=False):
 class SurfaceOptions(TypedDict, total=False):
     """Fields of ``gusset_surface_options``; what is not given is as by default."""
 
-    #: Length to which answers are proved, finite; 0: 1e-9 of the surface's box diagonal.
+    #: Guaranteed accuracy of distances and positions in answers, as a length, finite. 0: 1e-9 of the diagonal of the
+    #: surface's bounding box.
     tolerance: float
     #: 1: builds the cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle, about 0.7 bytes a
     #: node; 0: the first such query builds them.
@@ -532,7 +533,8 @@ class FrameOptions(TypedDict, total=False):
 
     #: Correspondence of points between sections.
     correspondence: choices.CorrespondenceRule
-    #: ARC_LENGTH, ANGLE: nodes in a section. LANDMARKS: parts between two landmarks.
+    #: Number of columns. With ARC_LENGTH and ANGLE, nodes in each section. With LANDMARKS, parts between two
+    #: consecutive landmarks.
     columns: int
     #: 1: the first section follows the last.
     ring: bool

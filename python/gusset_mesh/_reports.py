@@ -3803,7 +3803,7 @@ class SurfaceReport(Record):
 
     @property
     def tolerance(self) -> float:
-        """Length to which answers are proved."""
+        """Guaranteed accuracy of distances and positions in answers, as a length."""
         return self._struct.tolerance
 
     @property

@@ -206,9 +206,9 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (1, c"Smooth joint, tangent to both pieces."),
     ]),
     ("gusset_tolerance_mode", &[
-        (0, c"Rounding error of the coordinates."),
-        (1, c"The given tolerance."),
-        (2, c"0; welding requires equal positions."),
+        (0, c"Uses the rounding error of the coordinates."),
+        (1, c"Uses the given tolerance."),
+        (2, c"Uses tolerance 0; welding then requires equal positions."),
     ]),
     ("gusset_outward", &[
         (0, c"GUSSET_OUTWARD_CLOSED in gusset_join, else GUSSET_OUTWARD_KEEP."),
@@ -460,9 +460,9 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (2, c"Constant until the next key."),
     ]),
     ("gusset_net_measures", &[
-        (1, c"area, volume, area_vector, low and high."),
-        (2, c"bilinear_area and bilinear_error; about ten times the cost."),
-        (4, c"body_volume, centroid and inertia; about ten times the cost."),
+        (1, c"Computes area, volume, area_vector, low and high."),
+        (2, c"Computes bilinear_area and bilinear_error, at about ten times the cost."),
+        (4, c"Computes body_volume, centroid and inertia, at about ten times the cost."),
     ]),
     ("gusset_net_faces", &[
         (0, c"Quads, and triangles where one side of a cell is a point."),
@@ -541,8 +541,8 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (7, c"The ray from `point` along `direction`."),
     ]),
     ("gusset_winding", &[
-        (0, c"Counter-clockwise seen from outside; the tables reverse them."),
-        (1, c"Clockwise seen from outside, as Baumgart has it."),
+        (0, c"Faces are counter-clockwise seen from outside."),
+        (1, c"Faces are clockwise seen from outside, as in Baumgart's tables."),
     ]),
     ("gusset_winged_flags", &[
         (1, c"A record of an edge with three or more faces; it has one of them."),
@@ -564,7 +564,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (2, c"Face of the input mesh."),
         (3, c"Half-edge: a position in face_corners."),
         (4, c"Entry of an array of offsets, such as face_offsets or cut_offsets."),
-        (5, c"Place in a given loop; the report's input is the number of the loop."),
+        (5, c"Position in a loop that the caller gave."),
         (6, c"Number of elements or bytes."),
         (7, c"Point of an outline or a curve, counted over all outlines."),
         (8, c"Constraint on an outline: its place or tangent."),

@@ -149,7 +149,7 @@ pub const GUSSET_ELEMENT_FACE: gusset_element = 2;
 pub const GUSSET_ELEMENT_HALF_EDGE: gusset_element = 3;
 /// Entry of an array of offsets, such as face_offsets or cut_offsets.
 pub const GUSSET_ELEMENT_OFFSET: gusset_element = 4;
-/// Place in a given loop; the report's input is the number of the loop.
+/// Position in a loop that the caller gave. The `input` field of the report is the loop's number.
 pub const GUSSET_ELEMENT_LOOP_PLACE: gusset_element = 5;
 /// Number of elements or bytes.
 pub const GUSSET_ELEMENT_COUNT: gusset_element = 6;

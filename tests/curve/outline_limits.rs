@@ -36,7 +36,7 @@ fn few_points() {
     }
     // Three points of an open outline are one section.
     let done = one(&corner, false, &[], &Options::default());
-    let section = Method::Bisector.section(lift(corner[0]), lift(corner[1]), lift(corner[2])).unwrap();
+    let section = Method::Bisector.compute_section(lift(corner[0]), lift(corner[1]), lift(corner[2])).unwrap();
     assert_eq!(done.curve(0).len(), 1);
     assert!(done.curve(0).segment(0)[1].distance(section.control) < 1e-15);
 }

@@ -104,7 +104,7 @@ fn stepping_agrees_with_closed_forms_on_sections() {
     for line in random(300, 3) {
         let [a, p, c] = [0, 1, 2].map(|k| line.points[k]);
         for method in [Method::Bisector, Method::Median, Method::Normal, Method::Symmedian, Method::Alpha(0.3)] {
-            let fast = method.section(a, p, c);
+            let fast = method.compute_section(a, p, c);
             match (fast, step_section(a, p, c, method, &Options::default(), &Job::default()).unwrap()) {
                 (Ok(fast), Ok((stepped, steps))) => {
                     let size = size(&line).max(fast.control.distance(p));

@@ -11,7 +11,7 @@ fn the_bisector_halves_the_angle() {
     // The triangle that tells the foot K / (1 + K) from the printed K: 48.56 degrees on both sides,
     // not 75.5 and 21.6.
     let [a, p, c] = [[0.0, 0.0], [3.0, 4.0], [10.0, 0.0]].map(lift);
-    let section = Method::Bisector.section(a, p, c).unwrap();
+    let section = Method::Bisector.compute_section(a, p, c).unwrap();
     let guide = p - section.control;
     for corner in [a, c] {
         let angle = guide.angle_between(corner - p).to_degrees();
@@ -35,7 +35,7 @@ proptest! {
         let area = (p - a).cross(c - a).z;
         prop_assume!(area.abs() > 0.05);
         for method in METHODS {
-            let Ok(section) = method.section(a, p, c) else {
+            let Ok(section) = method.compute_section(a, p, c) else {
                 prop_assert_eq!(method, Method::Normal);
                 let (u, v) = ((p - a).dot(c - a), (c - p).dot(c - a));
                 prop_assert!(u <= 0.0 || v <= 0.0);

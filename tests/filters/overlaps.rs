@@ -50,8 +50,8 @@ fn origins(output: &Output) -> &Origins {
 fn sources(origins: &Origins, domain: Domain) -> Vec<u32> {
     let table = origins.table(domain);
     assert!(table.weights().iter().all(|&weight| weight == 1.0));
-    assert_eq!(table.sources().len(), table.len());
-    table.sources().to_vec()
+    assert_eq!(table.source_indices().len(), table.len());
+    table.source_indices().to_vec()
 }
 
 #[test]

@@ -168,7 +168,7 @@ impl Continuation {
     /// For each share, the rim edge at whose end it takes its value; [`NONE`] if its vertex is not
     /// on a rim edge. Where charts are cut, interpolates again with the values on the base's side.
     fn choose_sides(&self, cuts: &Cuts, values: &mut Output<'_>, job: &Job<'_>) -> Result<Vec<u32>> {
-        let mut edges = alloc::filled(NONE, self.shares.sources().len())?;
+        let mut edges = alloc::filled(NONE, self.shares.source_indices().len())?;
         let mut chosen = Vec::new();
         let first = self.offsets[0];
         for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
@@ -315,7 +315,8 @@ impl Continuation {
         Ok(())
     }
 
-    /// True if the value at a new corner is close to the extended chart of its base.
+    /// Returns true if the attribute value at a new corner is close to the value that extends the
+    /// chart across the base edge.
     fn agrees(&self, values: &Output<'_>, corner: u32, base: u32) -> bool {
         let (off, way) = self.deviation_and_distance(values, corner, base);
         off <= MAX_DEVIATION * MAX_DEVIATION * way

@@ -132,12 +132,12 @@ impl Table {
         &self.offsets
     }
 
-    /// All sources, row by row.
-    pub fn sources(&self) -> &[u32] {
+    /// Returns the indices of all sources, row by row.
+    pub fn source_indices(&self) -> &[u32] {
         &self.sources
     }
 
-    /// The weight of each source. The weights of a row have the sum 1.
+    /// Returns the weight of each source. The weights of a row have the sum 1.
     pub fn weights(&self) -> &[f64] {
         &self.weights
     }

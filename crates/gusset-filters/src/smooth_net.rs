@@ -46,7 +46,7 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
         Some(given) => curve::curves(given.curves()?, values.between, &job.part(0.1, 0.2))?,
         None => Vec::new(),
     };
-    let closed = [&across, &along].map(|curves| all_closed(curves));
+    let closed = [&across, &along].map(|curves| common_closedness(curves));
     let unfit = |input: u32| Error::InputUnfit { input, why: "all curves must be closed, or all open" };
     let [closed_across, closed_along] = [closed[0].ok_or(unfit(0))?, closed[1].ok_or(unfit(1))?];
     let ring = if along.is_empty() { values.ring } else { closed_along };
@@ -61,8 +61,8 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
     Ok(vec![Output::Mesh(mesh, None), Output::Text(report)])
 }
 
-/// True if all curves are closed, false if all are open, `None` if there are both.
-fn all_closed(curves: &[Curve]) -> Option<bool> {
+/// Returns true if all curves are closed, false if all are open, `None` if there are both.
+fn common_closedness(curves: &[Curve]) -> Option<bool> {
     let closed = curves.iter().filter(|curve| curve.view().is_closed()).count();
     // A single point is a pole and counts as either.
     let open = curves.iter().filter(|curve| !curve.view().is_closed() && !curve.view().is_empty()).count();

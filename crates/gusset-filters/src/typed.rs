@@ -183,13 +183,15 @@ impl Param {
 
     /// A direction, read as a unit vector; the z axis by default.
     pub(super) const fn direction(label: &'static str, help: &'static str) -> TypedParam<DVec3> {
-        Param::typed(ParamKind::Direction, [label, help], COORDINATES, &[0.0, 0.0, 1.0], |v| scaled(v).0)
+        Param::typed(ParamKind::Direction, [label, help], COORDINATES, &[0.0, 0.0, 1.0], |v| {
+            unit_vector_and_length(v).0
+        })
     }
 
     /// A plane; z = 0 by default.
     pub(super) const fn plane(label: &'static str, help: &'static str) -> TypedParam<Plane> {
         Param::typed(ParamKind::Plane, [label, help], COORDINATES, &[0.0, 0.0, 1.0, 0.0], |v| {
-            let (normal, [largest, length]) = scaled(v);
+            let (normal, [largest, length]) = unit_vector_and_length(v);
             Plane { normal, distance: v[3] / largest / length }
         })
     }
@@ -218,9 +220,9 @@ fn vector(components: &[f64]) -> DVec3 {
     DVec3::from_slice(&components[..3])
 }
 
-/// A unit vector along the first three components; their largest magnitude, and their length
-/// relative to it. Squares of tiny components would vanish.
-fn scaled(components: &[f64]) -> (DVec3, [f64; 2]) {
+/// Returns a unit vector along the first three components, their largest magnitude, and their
+/// length relative to it. Squares of tiny components would vanish.
+fn unit_vector_and_length(components: &[f64]) -> (DVec3, [f64; 2]) {
     let given = vector(components);
     let largest = given.abs().max_element();
     let length = (given / largest).length();
@@ -264,7 +266,8 @@ impl TypedParam<f64> {
         self.suggesting(Suggestion::Ratio(ratio))
     }
 
-    /// The number with a default that follows from the inputs.
+    /// Sets a function that computes the default from the inputs and their bounding box. `None`
+    /// keeps the plain default.
     pub(super) const fn suggested(self, number: fn(&[Input<'_>], &Aabb) -> Option<f64>) -> Self {
         self.suggesting(Suggestion::Number(number))
     }
@@ -281,7 +284,8 @@ impl TypedParam<f64> {
 }
 
 impl TypedParam<u32> {
-    /// The number with a default that follows from the inputs.
+    /// Sets a function that computes the default from the inputs and their bounding box. `None`
+    /// keeps the plain default.
     pub(super) const fn suggested(self, number: fn(&[Input<'_>], &Aabb) -> Option<f64>) -> Self {
         self.suggesting(Suggestion::Number(number))
     }

@@ -67,7 +67,7 @@ struct FoldSearch<'a, A, B> {
 impl<A: Real, B: Real> FoldSearch<'_, A, B> {
     fn is_folded_in_row(&self, i: usize) -> bool {
         (0..self.shape.columns() - 1)
-            .any(|j| self.is_crossed(i, j) || self.pairs(i, j).any(|pair| self.test(pair) == FoldTest::Folded))
+            .any(|j| self.is_crossed(i, j) || self.pairs(i, j).any(|pair| self.test_new_fold(pair) == FoldTest::Folded))
     }
 
     /// Cell (i, j) with its neighbours to the east and south, also across a closed side.
@@ -88,8 +88,8 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
             .map(move |(next, link, _)| ([shape.cell(i, j), shape.cell(next.0, next.1)], link))
     }
 
-    /// Tests two cells: folded onto each other now, and not before.
-    fn test(&self, (cells, link): Pair) -> FoldTest {
+    /// Tests whether two cells are folded onto each other now and were not before.
+    fn test_new_fold(&self, (cells, link): Pair) -> FoldTest {
         let cells = cells.map(|cell| self.shape.cell_place(cell));
         let before = || test_link(self.old, link, cells, self.tolerance, MARGIN_BEFORE);
         match test_link(self.new, link, cells, self.tolerance, 1.0) {
@@ -115,7 +115,7 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
         for pair in cells().flat_map(|(i, j)| self.pairs(i, j)) {
             let [a, b] = pair.0;
             step(a, 0.0)?;
-            match self.test(pair) {
+            match self.test_new_fold(pair) {
                 FoldTest::Folded => alloc::push(&mut folded, [a, b])?,
                 FoldTest::Unfolded => _ = sets.union(a, b, false),
                 FoldTest::Undecided => {}

@@ -43,7 +43,7 @@ enum Store<'a, T> {
 }
 
 /// Returns the first chunk at the start of a cache line.
-fn first_aligned(chunks: &[AlignedChunk]) -> usize {
+fn first_aligned_chunk(chunks: &[AlignedChunk]) -> usize {
     chunks.as_ptr().align_offset(CACHE_LINE).min(CHUNKS_PER_LINE - 1)
 }
 
@@ -56,7 +56,7 @@ impl<'a, T: Real> Planes<'a, T> {
     pub fn zeroed(shape: Shape) -> Result<Self> {
         let each = shape.node_count().saturating_mul(size_of::<T>()).div_ceil(CACHE_LINE) * CHUNKS_PER_LINE;
         let chunks: Vec<AlignedChunk> = alloc::zeroed(CHUNKS_PER_LINE - 1 + 3 * each)?;
-        let start = first_aligned(&chunks);
+        let start = first_aligned_chunk(&chunks);
         Ok(Planes { shape, stride: shape.columns(), store: Store::Own { chunks, start, each } })
     }
 
@@ -70,7 +70,7 @@ impl<'a, T: Real> Planes<'a, T> {
         let each = shape.node_count().div_ceil(CHUNKS_PER_LINE * per_chunk) * CHUNKS_PER_LINE;
         let height = (BUFFER_LENGTH / columns).clamp(1, rows);
         let mut chunks: Vec<AlignedChunk> = alloc::with_capacity(CHUNKS_PER_LINE - 1 + 3 * each)?;
-        let start = first_aligned(&chunks);
+        let start = first_aligned_chunk(&chunks);
         let mut buffer: Vec<AlignedChunk> = alloc::zeroed((height * columns + per_chunk - 1).div_ceil(per_chunk))?;
         for axis in 0..3 {
             chunks.resize(start + axis * each, AlignedChunk::zeroed());

@@ -121,7 +121,7 @@ unsafe extern "C" fn main_entry<const NUMBER: usize>(
         // SAFETY: the pointer is not NULL, and the host passes a NUL-terminated text.
         let name = unsafe { CStr::from_ptr(name) };
         let effect = effects::effects().get(NUMBER).ok_or(Status::BAD_HANDLE)?;
-        act(effect, HOSTS[NUMBER].load(Ordering::Acquire), name, handle.cast_mut(), in_args)
+        run_action(effect, HOSTS[NUMBER].load(Ordering::Acquire), name, handle.cast_mut(), in_args)
     }));
     let status = done.unwrap_or_else(|panic| {
         // As in `guard`: the destructor of the payload could panic.
@@ -131,7 +131,7 @@ unsafe extern "C" fn main_entry<const NUMBER: usize>(
     status.unwrap_or_else(|status| status).0
 }
 
-fn act(
+fn run_action(
     effect: &'static Effect,
     host: *mut OfxHost,
     action: &CStr,

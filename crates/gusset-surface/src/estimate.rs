@@ -138,7 +138,8 @@ impl CreaseAngle {
 /// each interval of an axis.
 struct QuinticDefects<'a> {
     axis: &'a Axis,
-    /// Indexed by the position of the interval among its nodes; `None` if there are too few nodes.
+    /// Weights of the nodes, by position of the interval among its nodes, then by parameter (1/4,
+    /// 1/2, 3/4). Their sum is quintic minus cubic. `None` with fewer than 5 nodes.
     weights: Option<[[[f64; TAPS]; 3]; TAPS - 1]>,
 }
 

@@ -11,7 +11,7 @@ use gusset_base::{alloc, par};
 /// Number of places that a thread evaluates in one task.
 const PLACES_PER_TASK: usize = 1 << 10;
 /// Number of tasks between two progress reports.
-const TASKS_PER_STEP: usize = 32;
+const TASKS_PER_REPORT: usize = 32;
 
 /// Curvatures of a surface at a point. They are positive where the surface bends towards its
 /// normal.
@@ -137,7 +137,7 @@ impl Surface<'_> {
             return Err(Error::NoSuch { element: Element::Place, index: index as u64 });
         }
         let mut geometries = alloc::with_capacity(places.len())?;
-        for round in places.chunks(PLACES_PER_TASK * TASKS_PER_STEP) {
+        for round in places.chunks(PLACES_PER_TASK * TASKS_PER_REPORT) {
             job.step(geometries.len() as f64 / places.len() as f64, "evaluating")?;
             let work = |range: std::ops::Range<usize>| {
                 alloc::collect(round[range].iter().map(|&place| self.local_geometry(place)))

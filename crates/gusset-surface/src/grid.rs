@@ -84,7 +84,7 @@ impl<'a> Grid<'a> {
     }
 }
 
-/// The weighted sum of lines of nodes.
+/// Returns the weighted sum of TAPS rows of nodes, node by node.
 #[inline(always)]
 fn weighted_sum(weights: &[f64; TAPS], lines: &[&Window; TAPS]) -> Window {
     let mut sum = [0.0; 3 * TAPS];

@@ -64,7 +64,8 @@ pub struct gusset_frame_options {
     pub struct_size: usize,
     /// Correspondence of points between sections.
     pub correspondence: gusset_correspondence_rule,
-    /// ARC_LENGTH, ANGLE: nodes in a section. LANDMARKS: parts between two landmarks.
+    /// Number of columns. With ARC_LENGTH and ANGLE, nodes in each section. With LANDMARKS, parts
+    /// between two consecutive landmarks.
     pub columns: u32,
     /// 1: the first section follows the last.
     /// @flag
@@ -176,8 +177,8 @@ impl gusset_frame_options {
             GUSSET_CORRESPONDENCE_LANDMARKS => Correspondence::Landmarks { points: landmarks, parts: columns },
             other => return Err(Failure::unknown("correspondence", other.into())),
         };
-        let across = input::nested(self.across, "across", gusset_outline_options::checked)?;
-        let along = input::nested(self.along, "along", gusset_outline_options::checked)?;
+        let across = input::read_nested(self.across, "across", gusset_outline_options::checked)?;
+        let along = input::read_nested(self.along, "along", gusset_outline_options::checked)?;
         Ok(FrameOptions { correspondence, across, along, ring, given_starts, smooth_corners, missing })
     }
 }

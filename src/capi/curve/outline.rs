@@ -200,17 +200,17 @@ fn constraint(bytes: &[u8]) -> Result<Constraint, Failure> {
     Ok(Constraint { point, kind })
 }
 
-/// Fits a curve through the points of each outline.
+/// Fits a Bézier curve through the points of each outline.
 ///
-/// If a demand at a point cannot be met, its status says so; the curve still passes the point if
-/// possible.
+/// If a constraint at a point cannot be met, the point's status says so. The curve still passes
+/// through the point if possible.
 ///
 /// @errors OUT_OF_RANGE (an option or the dimension), BAD_STRIDE, BAD_OFFSETS, TOO_LARGE,
 ///     NOT_FINITE (point), NO_SUCH_ELEMENT (constraint: its point does not exist or is out of
 ///     order)
-/// @complexity O(points) for composite, blended and cubic curves. Memory of the result, and about
-///     1,500 bytes a point of the largest outline with GUSSET_JOINT_PARAMETER_G2.
-/// @source Nadopta.
+/// @complexity O(points) for composite, blended and cubic curves. With GUSSET_JOINT_PARAMETER_G2,
+///     takes about 1,500 bytes for each point of the largest outline, besides the result.
+/// @source T. Nadopta (see the README).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_create(

@@ -73,7 +73,8 @@ c_enum! {
     }
 }
 
-/// Type of the values of elements, and the rule that combines them.
+/// Describes an attribute: which elements have values, the type of a value, and the rule that
+/// combines the values of several sources.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_channel {

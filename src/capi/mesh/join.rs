@@ -51,7 +51,7 @@ pub unsafe extern "C" fn gusset_join(
 ) -> gusset_status {
     create(context, result, "result", |job| {
         let options = input::read(options, true, "options")?;
-        let trim = input::nested(options.trim_options, "trim_options", Ok)?;
+        let trim = input::read_nested(options.trim_options, "trim_options", Ok)?;
         let viewpoints = trim.viewpoints().map_err(|failure| failure.with_field("trim_options"))?;
         let mut given = pairs(options.pairs, options.pair_count, "pairs")?;
         let mut excluded = pairs(options.excluded, options.excluded_count, "excluded")?;

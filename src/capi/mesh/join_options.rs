@@ -141,7 +141,7 @@ impl gusset_join_options {
     ) -> Result<Options<'a>, Failure> {
         let weld = match self.weld {
             GUSSET_WELDING_SEW | GUSSET_WELDING_EDGE_TO_EDGE => {
-                Some(input::nested(self.weld_options, "weld_options", gusset_weld_options::checked)?)
+                Some(input::read_nested(self.weld_options, "weld_options", gusset_weld_options::checked)?)
             }
             GUSSET_WELDING_NONE => None,
             other => return Err(Failure::unknown("weld", other.into())),
@@ -161,7 +161,7 @@ impl gusset_join_options {
             GUSSET_OVERLAPS_TRIM => Overlaps::Trim(trim.checked(viewpoints)),
             other => return Err(Failure::unknown("overlaps", other.into())),
         };
-        let fill = input::nested(self.fill_options, "fill_options", gusset_fill_options::checked)?;
+        let fill = input::read_nested(self.fill_options, "fill_options", gusset_fill_options::checked)?;
         Ok(Options {
             overlaps,
             weld,
@@ -173,7 +173,7 @@ impl gusset_join_options {
             within_components: flag(self.within_components, "within_components")?,
             pairs,
             excluded,
-            strip: input::nested(self.strip_options, "strip_options", gusset_stitch_options::checked)?,
+            strip: input::read_nested(self.strip_options, "strip_options", gusset_stitch_options::checked)?,
             fill: flag(self.fill, "fill")?.then_some(fill),
         })
     }

@@ -79,7 +79,7 @@ pub unsafe extern "C" fn gusset_origins_get_view(
         gusset_origins_view {
             struct_size: 0,
             offsets: gusset_indices::lend(table.offsets()),
-            sources: gusset_indices::lend(table.sources()),
+            sources: gusset_indices::lend(table.source_indices()),
             weights: lent(table.weights()),
             starts: gusset_indices::lend(of.starts(domain)),
         }

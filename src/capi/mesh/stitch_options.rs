@@ -148,12 +148,13 @@ pub const GUSSET_FINISH_BLEND: gusset_finish = 1;
 
 /// Source of the tolerance.
 pub type gusset_tolerance_mode = u32;
-/// Rounding error of the coordinates. For facing vertices, at most 2^-16 (32-bit positions) or
-/// 2^-45 (64-bit) of the largest coordinate of the loops. For welding, see gusset_weld_options.
+/// Uses the rounding error of the coordinates. For facing vertices this is at most 2^-16 (32-bit
+/// positions) or 2^-45 (64-bit positions) times the largest coordinate of the loops. For welding,
+/// see gusset_weld_options.
 pub const GUSSET_TOLERANCE_AUTO: gusset_tolerance_mode = 0;
-/// The given tolerance.
+/// Uses the given tolerance.
 pub const GUSSET_TOLERANCE_GIVEN: gusset_tolerance_mode = 1;
-/// 0; welding requires equal positions.
+/// Uses tolerance 0; welding then requires equal positions.
 pub const GUSSET_TOLERANCE_EXACT: gusset_tolerance_mode = 2;
 
 /// The side that closed components of a result face.

@@ -10,11 +10,11 @@ use crate::net::measure::{bilinear_area, measure, moments, planarity};
 /// Measures to compute.
 /// @bits
 pub type gusset_net_measures = u32;
-/// area, volume, area_vector, low and high.
+/// Computes area, volume, area_vector, low and high.
 pub const GUSSET_NET_MEASURES_EXTENT: gusset_net_measures = 1;
-/// bilinear_area and bilinear_error; about ten times the cost.
+/// Computes bilinear_area and bilinear_error, at about ten times the cost.
 pub const GUSSET_NET_MEASURES_BILINEAR: gusset_net_measures = 2;
-/// body_volume, centroid and inertia; about ten times the cost.
+/// Computes body_volume, centroid and inertia, at about ten times the cost.
 pub const GUSSET_NET_MEASURES_BODY: gusset_net_measures = 4;
 
 /// Measures of a net; 0 unless requested.

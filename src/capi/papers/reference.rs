@@ -50,7 +50,8 @@ pub struct gusset_reference_task {
     pub struct_size: usize,
     /// Object of a search.
     pub object: gusset_reference_object,
-    /// 0: cells that may have a point within `within`; 1: cells that may have the nearest point.
+    /// Cells to find. 0: cells that may have a point at most `within` away. 1: cells that may have
+    /// the nearest point.
     pub find_nearest: u32,
     /// x, y, z; not read for angles.
     pub point: [f64; 3],

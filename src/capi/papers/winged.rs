@@ -14,9 +14,10 @@ use crate::winged::{EdgeMarks, FreeLoops, Winding, WingedEdge, WingedEdges, Wing
 
 /// Orientation of faces in a mesh.
 pub type gusset_winding = u32;
-/// Counter-clockwise seen from outside; the tables reverse them.
+/// Faces are counter-clockwise seen from outside. The winged-edge tables list each face in reverse,
+/// clockwise, as Baumgart does.
 pub const GUSSET_FACES_COUNTER_CLOCKWISE: gusset_winding = 0;
-/// Clockwise seen from outside, as Baumgart has it.
+/// Faces are clockwise seen from outside, as in Baumgart's tables.
 pub const GUSSET_FACES_CLOCKWISE: gusset_winding = 1;
 
 /// Marks of an edge.

@@ -18,8 +18,12 @@ use crate::capi::status::{self, Failure};
 use crate::job::Job;
 use std::ffi::c_void;
 
-pub(super) static ATTRIBUTES: gusset_plugin_attributes =
-    gusset_plugin_attributes { struct_size: size_of::<gusset_plugin_attributes>(), has_origins, origins, apply };
+pub(super) static ATTRIBUTES: gusset_plugin_attributes = gusset_plugin_attributes {
+    struct_size: size_of::<gusset_plugin_attributes>(),
+    has_origins: output_has_origins,
+    origins,
+    apply,
+};
 
 /// Returns the origins of output `index`.
 fn output_origins(held: &Held, index: u32) -> Result<&Origins, Failure> {
@@ -29,7 +33,7 @@ fn output_origins(held: &Held, index: u32) -> Result<&Origins, Failure> {
     }
 }
 
-unsafe extern "C" fn has_origins(outputs: *const gusset_outputs, index: u32) -> u32 {
+unsafe extern "C" fn output_has_origins(outputs: *const gusset_outputs, index: u32) -> u32 {
     held(outputs, index).and_then(|held| output_origins(held, index)).is_ok().into()
 }
 
@@ -47,7 +51,7 @@ unsafe extern "C" fn origins(
             struct_size: 0,
             count: table.len(),
             offsets: lent(table.offsets()),
-            sources: lent(table.sources()),
+            sources: lent(table.source_indices()),
             weights: lent(table.weights()),
             input_count: of.inputs().len(),
             starts: lent(starts),

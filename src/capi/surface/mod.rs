@@ -106,7 +106,8 @@ pub struct gusset_surface_contact {
 pub struct gusset_surface_options {
     /// sizeof(gusset_surface_options).
     pub struct_size: usize,
-    /// Length to which answers are proved, finite; 0: 1e-9 of the surface's box diagonal.
+    /// Guaranteed accuracy of distances and positions in answers, as a length, finite. 0: 1e-9 of
+    /// the diagonal of the surface's bounding box.
     pub tolerance: f64,
     /// 1: builds the cones of normals for GUSSET_CONTOUR_ANGLE and gusset_surface_nearest_angle,
     /// about 0.7 bytes a node; 0: the first such query builds them.

@@ -20,7 +20,7 @@ pub struct gusset_surface_report {
     pub node_count: usize,
     /// Bytes of the index, without nodes and cones of normals.
     pub index_bytes: usize,
-    /// Length to which answers are proved.
+    /// Guaranteed accuracy of distances and positions in answers, as a length.
     pub tolerance: f64,
     /// Least x, y, z of a box round the surface and its control nets.
     pub low: [f64; 3],

@@ -116,7 +116,7 @@ fn curves<'a>(
     alloc::try_collect(handles.map(|handle| Ok(handle?.0.view())))
 }
 
-/// Makes a sheet of Bézier patches in rows and columns.
+/// Makes a sheet from Bézier patches in rows and columns.
 ///
 /// Adjacent patches should share sides. Repeated points and poles are allowed.
 ///
@@ -155,7 +155,8 @@ pub unsafe extern "C" fn gusset_sheet_from_patches_create(
     })
 }
 
-/// Makes a sheet of a B-spline. Cells are the non-empty spans, exact except for rounding.
+/// Makes a sheet from a B-spline surface. If all weights are equal, each non-empty knot span
+/// becomes a cell, which is exact except for rounding.
 ///
 /// Rows and columns begin at the parameters 0, 1, 2, ... gusset_sheet_get_report returns the
 /// spline's parameters there, and the proved deviation.

@@ -18,8 +18,8 @@ use std::ops::Range;
 /// The share of zeros that groups may hold, by their number of columns: each pair is the largest
 /// number of columns and its share.
 const MAX_ZEROS: [(u64, f64); 3] = [(16, 0.6), (48, 0.15), (u64::MAX, 0.05)];
-/// Groups of at most this many columns may hold any number of zeros.
-const MIN_COLUMNS: u64 = 4;
+/// Supernodes with at most this many columns may store any number of explicit zeros.
+const MAX_COLUMNS_WITH_ANY_ZEROS: u64 = 4;
 /// A matrix of at most this many columns is a single group.
 const MAX_SINGLE: usize = 24;
 /// Entries examined between two progress reports.
@@ -188,7 +188,7 @@ impl Size {
     fn is_dense(self) -> bool {
         let share = self.zeros as f64 / self.entries() as f64;
         let bound = MAX_ZEROS.iter().find(|(columns, _)| self.columns <= *columns);
-        self.columns <= MIN_COLUMNS || bound.is_some_and(|&(_, bound)| share <= bound)
+        self.columns <= MAX_COLUMNS_WITH_ANY_ZEROS || bound.is_some_and(|&(_, bound)| share <= bound)
     }
 }
 

@@ -193,7 +193,7 @@ fn add_round(
         let by = to? - from?;
         Ok(if by > 0.0 { by } else { by + rings[k].lengths.total() })
     };
-    add_parts(&marks, &rings, curves, sections, columns, &span, found)
+    add_nodes_between_landmarks(&marks, &rings, curves, sections, columns, &span, found)
 }
 
 /// Returns the closed sections, each oriented like the previous one instead of the first, because a
@@ -248,7 +248,7 @@ fn add_across(
     let at =
         |k: usize, i: usize| rings[k].lengths.length_to(curves.place(sections.span(k).start + marks[k][i] as usize));
     let span = |k: usize, i: usize| Ok(at(k, i + 1)? - at(k, i)?);
-    add_parts(&marks, &rings, curves, sections, columns, &span, found)?;
+    add_nodes_between_landmarks(&marks, &rings, curves, sections, columns, &span, found)?;
     found.corners.retain(|&node| !matches!(node as usize % columns, i if i == 0 || i + 1 == columns));
     Ok(())
 }
@@ -276,7 +276,7 @@ fn unit_of(sections: &Outlines<'_>, corners: &[Vec<u32>], centres: &[DVec3]) -> 
 
 /// Adds the nodes between landmarks. Each interval gets a number of parts in proportion to its mean
 /// length. `span` returns interval i of section k.
-fn add_parts(
+fn add_nodes_between_landmarks(
     marks: &[Vec<u32>],
     rings: &[Ring<'_>],
     curves: &Fit,

@@ -59,7 +59,8 @@ pub fn slice(
 pub struct Measure {
     /// The length; for a closed section, of the whole contour.
     pub girth: f64,
-    /// The largest area enclosed in any projection. The chord closes an open section.
+    /// The length of the area vector: the largest area of the section's projection onto a plane.
+    /// The chord from end to start closes an open section.
     pub area: f64,
     /// The mean of the section's points by arc length.
     pub centre: DVec3,

@@ -18,10 +18,10 @@ use gusset_base::choices;
 
 /// The rule that finds a section's control point.
 ///
-/// For a single section ([`sections`](super::sections()), [`Method::section`]) the control point
-/// lies on the line that the method names. In a composite curve the [`Lock`](super::Lock) names the
-/// triangle. With the default, [`Lock::Parameter`](super::Lock), the method determines only the
-/// parameter of the point.
+/// For a single section ([`sections`](super::sections()), [`Method::compute_section`]) the control
+/// point lies on the line that the method names. In a composite curve the [`Lock`](super::Lock)
+/// names the triangle. With the default, [`Lock::Parameter`](super::Lock), the method determines
+/// only the parameter of the point.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Method {
     /// The bisector of the angle at P. t follows the square roots of the chords (the centripetal
@@ -84,7 +84,7 @@ impl Method {
     /// # Errors
     /// [`PointStatus::NormalOutside`] and [`PointStatus::RightAngle`] for the normal;
     /// [`PointStatus::Repeated`] if P is A or C and the parameter would be 0 or 1.
-    pub fn section(self, a: DVec3, p: DVec3, c: DVec3) -> Result<Section, PointStatus> {
+    pub fn compute_section(self, a: DVec3, p: DVec3, c: DVec3) -> Result<Section, PointStatus> {
         section_at(a, p, c, self.parameter(a, p, c)?)
     }
 }

@@ -124,7 +124,8 @@ impl Nodes {
         points.truncate(count);
     }
 
-    /// Finds the cuts, and rotates a closed outline so that it begins at a cut.
+    /// Finds the nodes that divide the outline into separately fitted subcurves. Rotates a closed
+    /// outline so that it begins at such a node.
     fn cut(&mut self, span: &Range<usize>, constraints: &[Constraint], options: &Options) -> Result<()> {
         self.cuts.clear();
         self.results.clear();

@@ -94,7 +94,7 @@ pub fn visit_sections(
                 finder.visit_unconstrained(&span, some, &mut visit);
             } else {
                 for i in some {
-                    let (section, status) = finder.constrained_section(&span, own, closed, i, &mut steps)?;
+                    let (section, status) = finder.find_constrained_section(&span, own, closed, i, &mut steps)?;
                     visit(section, status);
                 }
             }
@@ -126,7 +126,7 @@ struct Finder<'a> {
 
 impl Finder<'_> {
     /// Returns the section of point `i` of an outline with the constraints `own`.
-    fn constrained_section(
+    fn find_constrained_section(
         &self,
         outline: &Range<usize>,
         own: &[Constraint],
@@ -223,14 +223,14 @@ fn section_or_fallback([a, p, c]: [DVec3; 3], tangents: [Option<DVec3>; 3], meth
         [_, Some(tau), _] => section_by_tangent(a, p, c, tau),
         [Some(tau), None, _] => section_by_start_tangent(a, p, c, tau),
         [None, None, Some(tau)] => section_by_end_tangent(a, p, c, tau),
-        [None, None, None] => method.section(a, p, c),
+        [None, None, None] => method.compute_section(a, p, c),
     };
     match wanted {
         Ok(section) => (section, PointStatus::Ok),
         Err(status) => {
             let stand_in = match method {
-                Method::Normal => Method::Bisector.section(a, p, c),
-                _ => method.section(a, p, c),
+                Method::Normal => Method::Bisector.compute_section(a, p, c),
+                _ => method.compute_section(a, p, c),
             };
             // If P coincides with A or C, the median still passes all three points.
             let section = stand_in.or_else(|_| section_at(a, p, c, 0.5));

@@ -27,9 +27,10 @@ pub(super) struct Solution {
     /// During the iteration of a composite curve: the joint parameters, including the ends of an
     /// open subcurve.
     pub(super) joints: Vec<f64>,
-    /// Whether a point has fallen back to the parameter by the data's own triangle.
+    /// For each point: true if it has fallen back to the parameter by the data's own triangle.
     pub(super) fell_back: Vec<bool>,
-    /// Whether the section missed the guide of its point when it was last placed.
+    /// For each point: true if its section did not cross the point's guide line when the control
+    /// point was last placed.
     pub(super) missed_guide: Vec<bool>,
     /// The unit direction of the guide through a point; 0 without a guide.
     pub(super) guides: Vec<DVec3>,

@@ -66,7 +66,7 @@ pub(super) fn step(
 ///
 /// # Errors
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled). The section has the errors of
-/// [`Method::section`], and [`PointStatus::NotConverged`] if the steps are used up.
+/// [`Method::compute_section`], and [`PointStatus::NotConverged`] if the steps are used up.
 pub fn step_section(
     a: DVec3,
     p: DVec3,
@@ -75,7 +75,7 @@ pub fn step_section(
     options: &Options,
     job: &Job<'_>,
 ) -> Result<Result<(Section, u64), PointStatus>> {
-    let t = match method.section(a, p, c) {
+    let t = match method.compute_section(a, p, c) {
         Ok(closed) => closed.t,
         Err(failed) => return Ok(Err(failed)),
     };

@@ -32,9 +32,9 @@ pub struct Spline {
 }
 
 /// The shortest text that reads back as the same number, with an exponent if that is shorter.
-struct Number(f64);
+struct ShortestNumber(f64);
 
-impl fmt::Display for Number {
+impl fmt::Display for ShortestNumber {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let size = self.0.abs();
         if size == 0.0 {
@@ -74,7 +74,7 @@ impl CurveView<'_> {
             text.push(letter);
             for p in points {
                 // Writing to a string does not fail.
-                let _ = write!(text, " {} {}", Number(p.x), Number(p.y));
+                let _ = write!(text, " {} {}", ShortestNumber(p.x), ShortestNumber(p.y));
             }
             Ok::<(), Error>(())
         };

@@ -50,8 +50,9 @@ const MAX_PAIRS_RANGE: (usize, usize) = (1_000, 20_000);
 /// The number of undecided pairs of segments after which further pairs get only the effort of
 /// simple crossings.
 const MAX_GIVEN_UP: u32 = 32;
-/// The number of pairs of parts that simple crossings need.
-const MAX_PAIRS_FOR_SIMPLE_CROSSINGS: usize = 300;
+/// The maximum number of examined pairs of parts for each further pair of segments. Simple
+/// crossings need fewer.
+const MAX_PART_PAIRS_AFTER_GIVING_UP: usize = 300;
 
 /// The joints between two segments, which do not count as intersections.
 #[derive(Debug, Clone, Copy, Default)]
@@ -83,7 +84,7 @@ pub(super) fn intersect(a: &[DVec3], b: &[DVec3], joined: Joined, found: &mut Se
     let max_pairs = if found.given_up < MAX_GIVEN_UP {
         (MAX_PAIRS / degrees).clamp(MAX_PAIRS_RANGE.0, MAX_PAIRS_RANGE.1)
     } else {
-        MAX_PAIRS_FOR_SIMPLE_CROSSINGS
+        MAX_PART_PAIRS_AFTER_GIVING_UP
     };
     let first = [a, b].map(|controls| Part::whole(SegmentBuffer::new(controls)));
     let limits = Limits { max_depth: u32::MAX, max_boxes: usize::MAX };

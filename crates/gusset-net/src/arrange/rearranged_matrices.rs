@@ -12,8 +12,9 @@ use std::ops::Range;
 /// Numbers that one thread writes at a time: enough to outweigh starting it.
 const BLOCK: usize = 1 << 16;
 
-/// Allocations of at least this many bytes come zeroed from the system; below, one thread suffices.
-const MIN_FRESH_BYTES: usize = 1 << 25;
+/// Matrices of at least this many bytes together are written in parallel. The system zeroes such
+/// allocations.
+const MIN_PARALLEL_BYTES: usize = 1 << 25;
 
 /// Creates the matrices X, Y and Z (0, 1, 2), whose rows `write` fills a range at a time.
 pub(crate) fn build_planes<T: Real>(
@@ -22,7 +23,7 @@ pub(crate) fn build_planes<T: Real>(
     write: impl Fn(usize, Range<usize>, &mut [T]) + Sync,
 ) -> Result<Planes<'static, T>> {
     let columns = shape.columns();
-    if shape.node_count().saturating_mul(3 * size_of::<T>()) < MIN_FRESH_BYTES && columns <= BLOCK {
+    if shape.node_count().saturating_mul(3 * size_of::<T>()) < MIN_PARALLEL_BYTES && columns <= BLOCK {
         job.step(0.0, "nodes")?;
         let planes = Planes::from_rows(shape, write)?;
         job.step(1.0, "nodes")?;

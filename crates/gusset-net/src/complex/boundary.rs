@@ -33,7 +33,8 @@ impl Boundary {
         self.open.is_empty()
     }
 
-    /// Returns the vertices of chain k, each by its smallest node, with the faces on the left.
+    /// Returns the vertices of boundary chain k, with the faces on the left. Each vertex is named
+    /// by the smallest of its glued nodes.
     pub fn get(&self, k: usize) -> &[u32] {
         &self.nodes[self.offsets[k] as usize..self.offsets[k + 1] as usize]
     }

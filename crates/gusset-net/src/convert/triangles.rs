@@ -214,7 +214,8 @@ fn no_grid(h: u32) -> Error {
     Error::NoGrid { face: h / 3 }
 }
 
-/// The labels of edges, by half-edge, and the queue of labels to propagate.
+/// The label of each edge (side or diagonal of a quad), by half-edge, and the queue of labelled
+/// edges whose neighbours are still to be checked.
 struct Labels<'a> {
     surface: &'a Surface,
     poles: [u32; 2],

@@ -35,9 +35,9 @@ pub fn spherify(centre: DVec3, radius: f64) -> Result<impl Field> {
     }))
 }
 
-/// Rolls space up around an axis. The next axis (x after z) becomes the arc, and the axis after
-/// that the height above the cylinder. Coordinates along the axis stay. At strength t the curvature
-/// is t / `radius`, and a sheet of height 0 keeps all its lengths.
+/// Bends space around `axis`, as a sheet is bent onto a cylinder. The next axis (x after z) becomes
+/// arc length, and the axis after that becomes height above the cylinder. Coordinates along `axis`
+/// stay. At strength t the curvature is t / `radius`. A sheet at height 0 keeps its lengths.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`].

@@ -167,7 +167,7 @@ impl Builder<'_> {
         self.number_unknowns(bridge)?;
         let is_film = bridge.kind == BridgeKind::Tube;
         let line_law = if is_film { Law { tension: 0.0, ..law } } else { law };
-        let centres = if bridge.kind == BridgeKind::Thread { self.centres(place) } else { [None; 2] };
+        let centres = if bridge.kind == BridgeKind::Thread { self.mean_vertices_beside_ends(place) } else { [None; 2] };
         let columns = bridge.end as usize;
         for k in 0..columns {
             job.step_every(REPORT_INTERVAL, k, columns, "settle")?;
@@ -264,15 +264,15 @@ impl Builder<'_> {
         let count = known.clone().count();
         let h = if count > 0 { known.sum::<f64>() / count as f64 } else { 0.0 };
         rests.iter_mut().filter(|rest| !rest.is_finite()).for_each(|rest| *rest = 0.0);
-        let mut aims = [None; 2];
+        let mut end_targets = [None; 2];
         if law.stiffness > 0.0 && h > MIN_LENGTH {
             for end in 0..2 {
                 let side = points[end * (points.len() - 1)];
                 let before = centres[end].or_else(|| self.node_before(place, end, k));
-                aims[end] = before.map(|before| self.add_aim(side, before, h)).transpose()?.flatten();
+                end_targets[end] = before.map(|before| self.add_end_target(side, before, h)).transpose()?.flatten();
             }
         }
-        alloc::push(&mut self.composite.model.lines, Line { points, rests, spacing: h, aims, law })
+        alloc::push(&mut self.composite.model.lines, Line { points, rests, spacing: h, end_targets, law })
     }
 
     /// Returns the row or column of a part that is adjacent to the bridge's side at an end.
@@ -287,8 +287,8 @@ impl Builder<'_> {
         before.is_finite().then_some(before)
     }
 
-    /// For a thread, the mean of the vertices adjacent to each of its ends.
-    fn centres(&self, place: usize) -> [Option<DVec3>; 2] {
+    /// Returns, for a thread, the mean of the vertices adjacent to each of its ends.
+    fn mean_vertices_beside_ends(&self, place: usize) -> [Option<DVec3>; 2] {
         let along = self.parts.direction.extent(self.net.shape()).1;
         [0, 1].map(|end| {
             let row = self.row_before(place, end)?;
@@ -305,9 +305,10 @@ impl Builder<'_> {
         })
     }
 
-    /// Adds a point of the side's body one link away, in the direction from the previous node.
-    /// Returns `None` if the direction is undefined.
-    fn add_aim(&mut self, side: u32, before: DVec3, h: f64) -> Result<Option<u32>> {
+    /// Adds the target of a line's end: a point at distance `h` from the side's point, in the
+    /// direction from `before` to the side's point. The target moves with the side's body. Returns
+    /// `None` if both points coincide.
+    fn add_end_target(&mut self, side: u32, before: DVec3, h: f64) -> Result<Option<u32>> {
         let composite = &mut self.composite;
         let (at, slot) = (composite.points[side as usize], composite.model.slots[side as usize]);
         if at.distance(before) <= MIN_LENGTH {
@@ -363,7 +364,7 @@ impl Builder<'_> {
             }
         }
         let mut is_carried = alloc::filled(false, model.slots.len())?;
-        let lines = model.lines.iter().flat_map(|line| line.points.iter().chain(line.aims.iter().flatten()));
+        let lines = model.lines.iter().flat_map(|line| line.points.iter().chain(line.end_targets.iter().flatten()));
         for &point in lines.chain(model.quads.iter().flat_map(|quad| &quad.corners)) {
             is_carried[point as usize] = true;
         }

@@ -32,7 +32,8 @@ impl Energies {
     }
 }
 
-/// The properties of a line, in the unit.
+/// The tension, elasticity and stiffness of a line across a bridge, relative to the largest force,
+/// with the net's size as the unit of length.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Law {
     pub(super) tension: f64,
@@ -49,7 +50,7 @@ pub(super) struct Line {
     /// The mean of the known rest lengths.
     pub(super) spacing: f64,
     /// The targets of its ends, one link away.
-    pub(super) aims: [Option<u32>; 2],
+    pub(super) end_targets: [Option<u32>; 2],
     pub(super) law: Law,
 }
 
@@ -79,7 +80,7 @@ impl Line {
     /// Returns the clamped ends: the point next to each end, and its target.
     fn clamps(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         let next = [1, self.points.len() - 2];
-        (0..2).filter_map(move |end| Some([self.points[next[end]], self.aims[end]?]))
+        (0..2).filter_map(move |end| Some([self.points[next[end]], self.end_targets[end]?]))
     }
 
     /// Returns the approximate energy of its springs at twice their rest length. The rounding of

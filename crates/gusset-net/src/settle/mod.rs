@@ -5,8 +5,8 @@
 //! of these energies. Lines run across a bridge and have N links each; glued lines count once.
 //!
 //! - Tension T of a thread or ribbon: for each line, T times the square root of N times the sum of
-//!   its squared link lengths. It equals T times the line's length once its nodes are evenly spaced,
-//!   as in equilibrium.
+//!   its squared link lengths. It equals T times the line's length once its nodes are evenly
+//!   spaced, as in equilibrium.
 //! - Tension T of a tube: T times the area of its film. The area of a cell is the mean of both
 //!   triangulations.
 //! - Elasticity Y: Y / 2 (l - r)^2 / r for each link across, of length l and rest length r.

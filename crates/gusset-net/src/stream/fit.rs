@@ -215,7 +215,7 @@ fn enter<T, L: Levels<T>>(line: &mut Line, i: usize, row: &[i64], known: &[bool]
     line.advance(i);
     let mut last = 0.0;
     for ((to, &level), &known) in line.here[MARGIN_BEFORE..].iter_mut().zip(row).zip(known) {
-        let value = levels.value(level);
+        let value = levels.predictor_value(level);
         if known && value.is_finite() {
             last = value;
         }

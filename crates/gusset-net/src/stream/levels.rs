@@ -64,7 +64,7 @@ pub(super) trait Levels<T>: Sync {
     fn number(&self, axis: usize, level: i64) -> Option<T>;
     /// Returns the value of a level for predictors, nearly linear in the number; not finite for NaN
     /// and infinities.
-    fn value(&self, level: i64) -> f64;
+    fn predictor_value(&self, level: i64) -> f64;
     /// Returns the level nearest to a finite value.
     fn nearest(&self, axis: usize, value: f64) -> i64;
     /// Returns the spacing of values near this one.
@@ -94,7 +94,7 @@ impl<T: Bits> Levels<T> for LosslessLevels<T> {
     }
 
     #[inline(always)]
-    fn value(&self, level: i64) -> f64 {
+    fn predictor_value(&self, level: i64) -> f64 {
         T::from_level(level).map_or(0.0, Into::into)
     }
 
@@ -143,7 +143,7 @@ impl<T: Bits> Levels<T> for UniformLevels {
     }
 
     #[inline(always)]
-    fn value(&self, level: i64) -> f64 {
+    fn predictor_value(&self, level: i64) -> f64 {
         level as f64
     }
 

@@ -17,9 +17,9 @@ use gusset_base::job::Job;
 use gusset_base::par;
 use std::ops::Range;
 
-/// An entry of the table of blocks.
+/// An entry of the table of blocks: where a block's bytes are, and their checksum.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Entry {
+pub(super) struct BlockEntry {
     pub(super) offset: u64,
     pub(super) size: u64,
     checksum: u32,
@@ -32,7 +32,7 @@ pub(super) struct Prelude {
     pub(super) topology: Topology,
     pub(super) bridges: Vec<Bridge>,
     duplicates: Duplicates,
-    pub(super) entries: Vec<Entry>,
+    pub(super) entries: Vec<BlockEntry>,
 }
 
 impl Prelude {
@@ -66,7 +66,7 @@ impl Prelude {
 
     /// Decodes a block into its rows of the three matrices, except duplicates.
     fn decode<T: Bits>(&self, block: usize, bytes: &[u8], to: [&mut [T]; 3]) -> Result<()> {
-        let Entry { offset, checksum: expected, .. } = self.entries[block];
+        let BlockEntry { offset, checksum: expected, .. } = self.entries[block];
         if checksum(bytes) != expected {
             return Err(bad("the checksum of a block is wrong", offset));
         }
@@ -100,13 +100,13 @@ impl Prelude {
 }
 
 /// Returns the table of blocks, and the end of the last one.
-fn read_table(info: &StreamInfo, mut from: Reader<'_>) -> Result<(Vec<Entry>, u64)> {
+fn read_table(info: &StreamInfo, mut from: Reader<'_>) -> Result<(Vec<BlockEntry>, u64)> {
     let mut entries = alloc::with_capacity(info.block_count())?;
     let mut offset = info.prelude_size;
     for _ in 0..info.block_count() {
         let too_large = from.bad("a block is too large");
         let (size, checksum) = (from.u64()?, from.u32()?);
-        entries.push(Entry { offset, size, checksum });
+        entries.push(BlockEntry { offset, size, checksum });
         offset = offset.checked_add(size).filter(|&end| end <= i64::MAX as u64).ok_or(too_large)?;
     }
     Ok((entries, offset))
@@ -150,7 +150,7 @@ fn decode_blocks<T: Bits>(prelude: &Prelude, bytes: &[u8], planes: &mut Planes<'
         job.step(start as f64 / info.block_count() as f64, "decoding")?;
         let parts = zip3(matrices.map(|matrix| matrix.chunks_mut(block))).enumerate();
         let done = par::map(job.threads(), parts, |(k, part)| {
-            let Entry { offset, size, .. } = prelude.entries[start + k];
+            let BlockEntry { offset, size, .. } = prelude.entries[start + k];
             prelude.decode(start + k, &bytes[offset as usize..(offset + size) as usize], part)
         })?;
         start += done.len();

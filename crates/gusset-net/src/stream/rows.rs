@@ -224,7 +224,7 @@ impl Channel {
             let residual =
                 self.residuals.code(coder, row[j].wrapping_sub(nearest), expectation, ratio_classes[j].into());
             row[j] = nearest.wrapping_add(residual);
-            let value = levels.value(row[j]);
+            let value = levels.predictor_value(row[j]);
             let value = if value.is_finite() { value } else { guess };
             here[at] = value;
             errors[j] = value - guess;

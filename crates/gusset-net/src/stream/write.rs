@@ -53,10 +53,10 @@ pub fn encode(net: &Net<'_>, options: &StreamOptions, job: &Job<'_>) -> Result<V
     if let Mode::Quantised { bits } = options.mode {
         Error::require((8..=24).contains(&bits), "bits", bits.into())?;
     }
-    each!(net.coordinates(), planes => encode_planes(net, planes, options, job))
+    each!(net.coordinates(), planes => encode_coordinates(net, planes, options, job))
 }
 
-fn encode_planes<T: Bits>(
+fn encode_coordinates<T: Bits>(
     net: &Net<'_>,
     planes: &Planes<'_, T>,
     options: &StreamOptions,

@@ -163,13 +163,13 @@ pub fn histogram(topology: &Topology, job: &Job<'_>) -> Result<Histogram> {
         let node = i * w + j;
         job.step_every(NODES_PER_REPORT, node, h * w, STAGE)?;
         // Two bits a node: 1 for the link to the east, 2 for the link to the south.
-        let pair = |there: bool, node: usize| if there { links.pair(node) } else { 0 };
+        let pair = |there: bool, node: usize| if there { links.link_bits(node) } else { 0 };
         let (right, down) = (j + 1 < w, i + 1 < h);
-        let here = links.pair(node) & (usize::from(right) | usize::from(down) << 1);
+        let here = links.link_bits(node) & (usize::from(right) | usize::from(down) << 1);
         let (west, north) = (pair(j > 0, node.wrapping_sub(1)), pair(i > 0, node.wrapping_sub(w)));
         count(&mut histogram.nodes, TYPE_OF_STAR[here | (west & 1) << 2 | (north & 2) << 2]);
         if right && down {
-            let (east, south) = (links.pair(node + 1), links.pair(node + w));
+            let (east, south) = (links.link_bits(node + 1), links.link_bits(node + w));
             let mask = (here & 1) | (east & 2) | (south & 1) << 2 | (here & 2) << 2;
             let number = match mask {
                 0 if table[node] == table[node + w + 1] => 16,

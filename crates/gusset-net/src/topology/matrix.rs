@@ -100,7 +100,7 @@ impl Matrix {
     }
 
     /// Returns the two bits of a node: 1 for its horizontal link, 2 for its vertical one.
-    pub(super) fn pair(&self, node: usize) -> usize {
+    pub(super) fn link_bits(&self, node: usize) -> usize {
         (self.words[2 * node / WORD] >> (2 * node % WORD)) as usize & 3
     }
 

@@ -88,8 +88,8 @@ pub(super) struct PairList {
     pub(super) squares: f64,
 }
 
-/// Searches for samples of `a` on `b`, up to the distance `gate`. Points within `reach` are on the
-/// surface.
+/// Pairs each sample of `a` with the nearest vertex of `b`, at most `gate` away, with a similar
+/// normal. Pairs at most `reach` apart count as on the surface.
 pub(super) fn find_sample_pairs<'s>(
     a: &Placed<'_>,
     samples: impl ExactSizeIterator<Item = &'s u32>,

@@ -11,7 +11,7 @@ use std::ops::Range;
 /// to the nearest vertex of the other.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum MaxGap {
-    /// A limit for each kind of gap.
+    /// Derives the limit from the input, for each kind of gap.
     ///
     /// * Whole loops: a fifth of the larger component's size, or the mean radius of the smaller
     ///   loop if that is larger. The radius is the mean distance of the vertices from their centre.

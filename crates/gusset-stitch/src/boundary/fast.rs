@@ -97,11 +97,11 @@ fn f(v: u32) -> u32 {
 
 /// The term g: the shoelace term of the edge from (x, x^2) to (y, y^2).
 fn g(x: u32, y: u32) -> u64 {
-    (u64::from(x) * u64::from(y)).wrapping_mul(wrapping_difference(y, x))
+    (u64::from(x) * u64::from(y)).wrapping_mul(wrapping_difference_u64(y, x))
 }
 
 /// Returns x - y in 64 bits.
-fn wrapping_difference(x: u32, y: u32) -> u64 {
+fn wrapping_difference_u64(x: u32, y: u32) -> u64 {
     u64::from(x).wrapping_sub(u64::from(y))
 }
 
@@ -122,9 +122,9 @@ impl Visitor for Sums {
             *sum = sum.wrapping_add(f(after).wrapping_sub(before));
             // The face as a fan of triangles (first, here, after). The first and the last of them
             // are degenerate.
-            let area = wrapping_difference(here, first)
-                .wrapping_mul(wrapping_difference(after, first))
-                .wrapping_mul(wrapping_difference(after, here));
+            let area = wrapping_difference_u64(here, first)
+                .wrapping_mul(wrapping_difference_u64(after, first))
+                .wrapping_mul(wrapping_difference_u64(after, here));
             self.area = self.area.wrapping_add(area);
             before = f(here);
         }

@@ -116,7 +116,8 @@ impl GroupSearch<'_> {
         let job = job.part(0.2, 1.0);
         for (at, &([i, k], distance)) in near.iter().enumerate() {
             job.step(at as f64 / near.len() as f64, "triangulating holes")?;
-            let Some((rim, _)) = self.surroundings.rim([i, k].into_iter().map(|k| self.loops[k]), &job)? else {
+            let Some((rim, _)) = self.surroundings.build_patch_rim([i, k].into_iter().map(|k| self.loops[k]), &job)?
+            else {
                 continue;
             };
             let polygons = rim.polygons()?;
@@ -228,7 +229,7 @@ impl GroupSearch<'_> {
 
     /// Triangulates loops together; `None` if two of them share a vertex.
     fn triangulate(&mut self, loops: &[usize], job: &Job<'_>) -> Result<Option<(PatchRim, Triangles)>> {
-        let Some((rim, names)) = self.surroundings.rim(loops.iter().map(|&k| self.loops[k]), job)? else {
+        let Some((rim, names)) = self.surroundings.build_patch_rim(loops.iter().map(|&k| self.loops[k]), job)? else {
             return Ok(None);
         };
         let taken = |u: u32, v: u32| self.surroundings.share_face(names[u as usize], names[v as usize]);

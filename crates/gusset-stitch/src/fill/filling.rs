@@ -98,13 +98,13 @@ impl<'a> Filling<'a> {
 
     /// Returns the rim of a group's patch, and the rim's mesh vertices; `None` if two of the loops
     /// share a vertex.
-    fn rim(&mut self, group: &[usize], job: &Job<'_>) -> Result<Option<(PatchRim, Vec<u32>)>> {
-        self.surroundings.rim(group.iter().map(|&number| self.candidates[number].vertices.as_slice()), job)
+    fn build_group_rim(&mut self, group: &[usize], job: &Job<'_>) -> Result<Option<(PatchRim, Vec<u32>)>> {
+        self.surroundings.build_patch_rim(group.iter().map(|&number| self.candidates[number].vertices.as_slice()), job)
     }
 
     /// Returns the first patch that can be built.
     fn first_patch(&mut self, group: &[usize], job: &Job<'_>) -> Result<Option<Placed>> {
-        let Some((rim, names)) = self.rim(group, job)? else {
+        let Some((rim, names)) = self.build_group_rim(group, job)? else {
             return Ok(None);
         };
         let taken =
@@ -148,7 +148,7 @@ impl<'a> Filling<'a> {
 
     /// Replaces patch `k` by the attempt with the fewest intersections, the first of equals.
     fn try_others(&mut self, k: usize, trials: &Trials<'_>, job: &Job<'_>) -> Result<()> {
-        let Some((rim, names)) = self.rim(self.made.groups[k], job)? else {
+        let Some((rim, names)) = self.build_group_rim(self.made.groups[k], job)? else {
             return Ok(());
         };
         if rim.count == 3 && self.options.refinement == Refinement::None {

@@ -28,7 +28,7 @@ const BANDS: [u32; 4] = [2, 4, 8, 16];
 const MAX_WIDE: usize = 2_000;
 const NARROW_BAND: u32 = 1;
 /// Limit on the vertices of all repeated searches of a loop.
-pub(super) const MAX_SEARCHED: usize = 8_000;
+pub(super) const MAX_SEARCHED_VERTICES: usize = 8_000;
 /// A search is repeated while its relative gain exceeds this.
 pub(super) const MIN_GAIN: f64 = 1e-3;
 /// Chords between two progress reports.
@@ -85,7 +85,7 @@ fn search_again(
 ) -> Result<Vec<[u32; 3]>> {
     let n = scale.polygon().points.len();
     let same = alloc::collect(0..n as u32)?;
-    let rounds = MAX_SEARCHED / n;
+    let rounds = MAX_SEARCHED_VERTICES / n;
     for round in 0..rounds {
         let chords = NearChords::new(n, &found.triangles, &same, band)?;
         let Some(next) = best_triangulation(scale, &chords, taken, None, &job.share(round, rounds))? else {

@@ -72,7 +72,7 @@ impl<'a> Surroundings<'a> {
 
     /// Returns the rim of a patch and its mesh vertices; `None` if two of the loops share a vertex.
     /// Each loop has the surface on the left.
-    pub(super) fn rim<'b>(
+    pub(super) fn build_patch_rim<'b>(
         &mut self,
         loops: impl Iterator<Item = &'b [u32]>,
         job: &Job<'_>,

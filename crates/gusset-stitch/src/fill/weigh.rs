@@ -35,12 +35,13 @@ pub(super) struct Polygon {
 impl Polygon {
     pub(super) fn new(points: Vec<DVec3>, across: Vec<DVec3>, normals: Vec<DVec3>) -> Self {
         let mut polygon = Polygon { points, across, normals, per_unit: 0.0 };
-        let length = polygon.length();
+        let length = polygon.perimeter();
         polygon.per_unit = if length > 0.0 { BULGE_UNITS / length } else { 0.0 };
         polygon
     }
 
-    pub(super) fn length(&self) -> f64 {
+    /// Returns the perimeter of the closed polygon.
+    pub(super) fn perimeter(&self) -> f64 {
         self.points.iter().zip(self.points.iter().cycle().skip(1)).map(|(p, q)| p.distance(*q)).sum()
     }
 

@@ -172,8 +172,8 @@ impl Sewing<'_> {
         })
     }
 
-    /// Returns true if the seam merges several edges between sets `a` and `b` (labels after sewing)
-    /// into one with more than two faces.
+    /// Returns true if the seam would merge several edges between vertex sets `a` and `b` into one
+    /// edge with more than two faces. Sets are named by their labels after sewing.
     fn crowds(&self, seam: &Seam, a: u32, b: u32) -> bool {
         let weight = |name| seam.parts(name).map(|label| u64::from(self.degree[label as usize])).sum::<u64>();
         let [from, to] = if weight(a) <= weight(b) { [a, b] } else { [b, a] };

@@ -1,6 +1,6 @@
 //! The extent of a stitch: whole loops, or their facing arcs.
 
-use super::facing::{self, Arc, Planes, facing_in_unit, round_off, squareness};
+use super::facing::{self, Arc, Planes, find_facing_scaled, round_off, squareness};
 use super::stitch_rim::Rim;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -40,7 +40,7 @@ pub(super) fn select_arcs(
     let tolerance = options.tolerance.unwrap_or(2.0 * round_off(scalar));
     let planes = Planes::new(&a.points, &b.points, options.centres);
     let found = || {
-        let found = facing_in_unit(&a.points, &b.points, planes, tolerance, options.run, job)?;
+        let found = find_facing_scaled(&a.points, &b.points, planes, tolerance, options.run, job)?;
         Ok(Some(found.taken))
     };
     match extent {

@@ -166,7 +166,7 @@ pub fn facing(a: &[DVec3], b: &[DVec3], options: &Options, job: &Job<'_>) -> Res
     let (small_a, small_b) = (small(a)?, small(b)?);
     let limit = options.tolerance.map_or(2.0 * round_off(Scalar::F64), |t| t / unit);
     let planes = Planes::new(&small_a, &small_b, options.centres);
-    let mut facing_runs = facing_in_unit(&small_a, &small_b, planes, limit, options.run, &job.part(0.1, 1.0))?;
+    let mut facing_runs = find_facing_scaled(&small_a, &small_b, planes, limit, options.run, &job.part(0.1, 1.0))?;
     facing_runs.planes.centres = facing_runs.planes.centres.map(|c| c * unit);
     facing_runs.planes.normals = facing_runs.planes.normals.map(|n| n * unit);
     facing_runs.distances.iter_mut().flatten().for_each(|d| *d *= unit);
@@ -197,7 +197,7 @@ pub(super) fn check_tolerance(tolerance: Option<f64>) -> Result<()> {
 }
 
 /// Runs algorithm 2 on points whose coordinates are at most 2.
-pub(super) fn facing_in_unit(
+pub(super) fn find_facing_scaled(
     a: &[DVec3],
     b: &[DVec3],
     planes: Planes,

@@ -139,8 +139,8 @@ pub struct Options {
     pub extent: Extent,
     /// Which of several runs of facing vertices is selected.
     pub run: Run,
-    /// A vertex faces the other loop if it is farther from its loop's plane than this, in the unit
-    /// of the positions; `None` for the round-off of the positions.
+    /// Smallest distance from its own loop's plane at which a vertex faces the other loop, in the
+    /// unit of the positions. `None` uses the round-off of the positions.
     pub tolerance: Option<f64>,
     /// The definition of the loops' centres, through which the planes run.
     pub centres: Centres,

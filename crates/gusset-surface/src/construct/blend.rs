@@ -32,7 +32,7 @@ pub(super) fn blend(lengths: &[f64], closed: bool) -> Result<Vec<CardinalPiece>>
 impl CardinalPiece {
     /// Restricts the functions to a part of the interval. For each Bernstein coefficient of degree
     /// N - 1, returns the weights of the lines.
-    pub(super) fn weights<const N: usize>(&self, [from, to]: [f64; 2]) -> [[f64; TAPS]; N] {
+    pub(super) fn bernstein_weights<const N: usize>(&self, [from, to]: [f64; 2]) -> [[f64; TAPS]; N] {
         let mut weights = [[0.0; TAPS]; N];
         for (k, points) in self.points.iter().enumerate() {
             let ends = [[from, from, from], [from, from, to], [from, to, to], [to, to, to]];
@@ -133,13 +133,13 @@ mod tests {
         let slope = |x: f64| -1.0 + 0.6 * x - 0.3 * x * x + 0.04 * x.powi(3);
         let blend = blend(&lengths, false).unwrap();
         for (k, (&length, piece)) in lengths.iter().zip(&blend).enumerate() {
-            let weights = piece.weights::<4>([0.0, 1.0]);
+            let weights = piece.bernstein_weights::<4>([0.0, 1.0]);
             let c =
                 weights.map(|weights| weights.iter().zip(piece.lines).map(|(w, line)| w * f(at[line])).sum::<f64>());
             assert_eq!([c[0], c[3]], [f(at[k]), f(at[k + 1])]);
             assert!((3.0 * (c[1] - c[0]) / length - slope(at[k])).abs() < 1e-12);
             assert!((3.0 * (c[3] - c[2]) / length - slope(at[k + 1])).abs() < 1e-12);
-            let high = piece.weights::<8>([0.25, 1.0]);
+            let high = piece.bernstein_weights::<8>([0.25, 1.0]);
             for weights in high {
                 assert!((weights.iter().sum::<f64>() - 1.0).abs() < 1e-13);
             }
@@ -151,7 +151,7 @@ mod tests {
         for (count, closed) in [(1, false), (2, false), (3, false), (3, true), (4, true), (5, true), (9, true)] {
             let lengths: Vec<f64> = (0..count).map(|k| 1.0 + 0.3 * f64::from(k % 3)).collect();
             for piece in blend(&lengths, closed).unwrap() {
-                let weights = piece.weights::<4>([0.0, 1.0]);
+                let weights = piece.bernstein_weights::<4>([0.0, 1.0]);
                 assert!(weights.iter().all(|w| (w.iter().sum::<f64>() - 1.0).abs() < 1e-13));
             }
         }

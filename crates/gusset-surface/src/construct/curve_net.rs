@@ -26,7 +26,7 @@ use gusset_curve::CurveView;
 const MAX_MERGED_BREAK_GAP: f64 = 1e-6;
 
 /// Number of patches between two progress reports.
-const PATCHES_PER_STEP: usize = 1 << 13;
+const PATCHES_PER_REPORT: usize = 1 << 13;
 const NODE_STAGE: &str = "finding nodes";
 const PATCH_STAGE: &str = "making patches";
 
@@ -209,12 +209,12 @@ impl<const N: usize> Gordon<N> {
         let columns = u.refine(&self.columns, &job.part(0.3, 0.4))?;
         let cells_v = alloc::collect(v.cells()?.into_iter().map(|(strip, part)| {
             let piece = &blend_v[strip];
-            (piece.lines, piece.weights::<N>(part))
+            (piece.lines, piece.bernstein_weights::<N>(part))
         }))?;
         let mut patches = patches_with_capacity(u.count(), v.count())?;
         for (i, (strip, part)) in u.cells()?.into_iter().enumerate() {
             let piece = &blend_u[strip];
-            let across = piece.weights::<N>(part);
+            let across = piece.bernstein_weights::<N>(part);
             // C_l - sum L_k P_kl, which is 0 at nodes.
             let rest = alloc::collect((0..self.columns.len()).map(|l| {
                 let nodes = piece.lines.map(|k| self.nodes[k * self.columns.len() + l]);
@@ -222,7 +222,7 @@ impl<const N: usize> Gordon<N> {
                 std::array::from_fn::<DVec3, N, _>(|a| curve[a] - weighted_sum(&across[a], &nodes))
             }))?;
             for (j, (lines, along)) in cells_v.iter().enumerate() {
-                job.part(0.4, 1.0).step_every(PATCHES_PER_STEP, patches.len(), patches.capacity(), PATCH_STAGE)?;
+                job.part(0.4, 1.0).step_every(PATCHES_PER_REPORT, patches.len(), patches.capacity(), PATCH_STAGE)?;
                 let (rows, rest) = (piece.lines.map(|k| &rows[k][j]), lines.map(|l| &rest[l]));
                 let point = |a: usize, b: usize| {
                     weighted_sum(&across[a], &rows.map(|row| row[b]))
@@ -248,14 +248,14 @@ impl<const N: usize> Gordon<N> {
         let blend = blend(&fill_zero_lengths(alloc::collect((0..last).map(apart))?), closed)?;
         let mut patches = patches_with_capacity(last, v.count())?;
         for piece in &blend {
-            let across = piece.weights::<N>([0.0, 1.0]);
+            let across = piece.bernstein_weights::<N>([0.0, 1.0]);
             let patch = |j: usize| {
                 let rows = piece.lines.map(|k| &refined[k][j]);
                 let point = |a: usize, b: usize| weighted_sum(&across[a], &rows.map(|row| row[b]));
                 Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
             };
             for j in 0..v.count() {
-                job.part(0.4, 1.0).step_every(PATCHES_PER_STEP, patches.len(), patches.capacity(), PATCH_STAGE)?;
+                job.part(0.4, 1.0).step_every(PATCHES_PER_REPORT, patches.len(), patches.capacity(), PATCH_STAGE)?;
                 patches.push(patch(j));
             }
         }
@@ -442,7 +442,7 @@ fn transpose_patches<const N: usize>(patches: &Patches<N>, job: &Job<'_>) -> Res
     let [rows, columns] = patches.cells();
     let mut turned = patches_with_capacity(columns, rows)?;
     for (j, i) in (0..columns).flat_map(|j| (0..rows).map(move |i| (j, i))) {
-        job.step_every(PATCHES_PER_STEP, turned.len(), turned.capacity(), PATCH_STAGE)?;
+        job.step_every(PATCHES_PER_REPORT, turned.len(), turned.capacity(), PATCH_STAGE)?;
         turned.push(patches.get(i, j).transposed());
     }
     Ok(Patches::from_patches(turned, columns, rows))

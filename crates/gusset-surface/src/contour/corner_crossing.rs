@@ -29,8 +29,9 @@ pub(super) enum CornerCrossing {
     },
 }
 
-/// Classifies a cell by the values at its corners 2 u + v. Returns `None` if they do not suffice.
-/// Coefficients are within `slack` of the bilinear ones. Values up to `rounding_error` may be 0.
+/// Decides from the corner values (index 2 u + v) whether level 0 misses a cell or crosses it in
+/// one arc. Returns `None` if the corners do not decide. Each coefficient is at most `slack` away
+/// from the bilinear one. The sign of values up to `rounding_error` is unknown.
 #[inline]
 pub(super) fn crossing_by_corners(corners: [f64; 4], slack: f64, rounding_error: f64) -> Option<CornerCrossing> {
     let [c00, c01, c10, c11] = corners;

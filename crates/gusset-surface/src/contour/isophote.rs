@@ -35,9 +35,9 @@ const MAX_ANGLE_ERROR: f64 = 1e-6;
 const BLOCKS_PER_TASK: usize = 64;
 
 /// The equation H = 0.
-struct Silhouette<'a, C, const N: usize>(&'a ProjectedNormals<'a, C, N>);
+struct SilhouetteSource<'a, C, const N: usize>(&'a ProjectedNormals<'a, C, N>);
 
-impl<C: Cells<N>, const N: usize, const M: usize> ContourSource<M> for Silhouette<'_, C, N> {
+impl<C: Cells<N>, const N: usize, const M: usize> ContourSource<M> for SilhouetteSource<'_, C, N> {
     type Block = Corners;
     type Base = Field<M>;
     type Cache = ();
@@ -327,7 +327,7 @@ impl IsophoteSearch<'_> {
         };
         let crossed = if classes.silhouettes.is_empty() { Vec::new() } else { blocks(&[0.5 * PI])? };
         for &number in &classes.silhouettes {
-            let search = ContourSearch::<_, _, N, H> { cells, source: &Silhouette(&normals), lattice, chord };
+            let search = ContourSearch::<_, _, N, H> { cells, source: &SilhouetteSource(&normals), lattice, chord };
             let mut contour_arcs = search.run(crossed.len(), |k| crossed[k], &next())?;
             contour_arcs.arcs.iter_mut().for_each(|arc| arc.level = number);
             curves.add(k, contour_arcs, &lattice, jumps, job.threads())?;

@@ -137,6 +137,8 @@ pub(super) struct ScalarWindow {
 }
 
 impl ScalarWindow {
+    /// Creates the window of the nodes that a block of cells depends on. `value` returns the scalar
+    /// at a node.
     fn new(axes: [&Axis; 2], cells: &[Range<usize>; 2], value: impl Fn(usize, usize) -> f64) -> Self {
         let mut window = ScalarWindow {
             start: [cells[0].start, cells[1].start],
@@ -217,8 +219,8 @@ pub(super) struct NodalBlock {
     deviation: f64,
 }
 
-/// The window of a block, with the block's first cell. It is computed when a cell needs more than
-/// its corners.
+/// A lazily computed cache: the first cell of a block, and the scalars of the block's window. It is
+/// filled when the corners of a cell do not decide.
 type CachedWindow = Option<([usize; 2], ScalarWindow)>;
 
 impl NodalBlock {

@@ -33,7 +33,7 @@ const MAX_STEPS_WITHOUT_PROOF: usize = 8;
 /// Parts of cells and segments of this size are not divided.
 const MIN_SIZE: f64 = 1e-12;
 /// Number of pairs between two progress reports.
-const PAIRS_PER_STEP: usize = 256;
+const PAIRS_PER_REPORT: usize = 256;
 
 pub(super) const STAGE: &str = "distance";
 
@@ -217,7 +217,7 @@ impl BranchAndBound for DistanceSearch<'_> {
 
     fn branch(&mut self, bound: f64, pair: PiecePair) -> Result<()> {
         self.pairs += 1;
-        if self.pairs.is_multiple_of(PAIRS_PER_STEP) {
+        if self.pairs.is_multiple_of(PAIRS_PER_REPORT) {
             self.job.step(self.pairs as f64 / (2 * MAX_PAIRS) as f64, STAGE)?;
         }
         let are_nets = self.a.net(pair.a).is_some() && self.b.net(pair.b).is_some();

@@ -228,8 +228,8 @@ impl OrientedBox {
 mod tests {
     use super::*;
 
-    /// The results are the largest number not above, and the smallest not below, rather than merely
-    /// close.
+    /// `round_down` returns the largest f32 not above the number, and `round_up` the smallest f32
+    /// not below it.
     #[test]
     fn rounding_is_directed_and_sharp() {
         let check = |value: f64| {
@@ -269,7 +269,7 @@ mod tests {
     /// However thin the box is, the points that it was computed for are within the parallelepiped
     /// of its edges.
     #[test]
-    fn edges_span_a_parallelepiped_around_the_points() {
+    fn edges_enclose_the_points() {
         let mut random = fastrand::Rng::with_seed(1);
         for k in 0..3000 {
             let mut direction = || DVec3::from_array([0; 3].map(|_| 2.0 * random.f64() - 1.0)).normalize();

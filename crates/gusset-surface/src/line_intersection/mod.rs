@@ -92,7 +92,7 @@ impl Line {
         if within == 0.0 {
             match curve.intersect_line(self.origin, self.direction, &job.part(0.0, 0.5)) {
                 Ok(found) if found.inside.is_empty() && !curve.is_empty() => {
-                    return self.exact_meetings(curve, &found.places);
+                    return self.keep_meetings_on_line(curve, &found.places);
                 }
                 Ok(_) | Err(Error::CurveNotPlane { .. }) => {}
                 Err(error) => return Err(error),
@@ -103,7 +103,7 @@ impl Line {
 
     /// Keeps the places of the infinite line that are on this one, within 1e-12 of the curve's
     /// size.
-    fn exact_meetings(&self, curve: &CurveView<'_>, places: &[CurvePlace]) -> Result<NearMisses> {
+    fn keep_meetings_on_line(&self, curve: &CurveView<'_>, places: &[CurvePlace]) -> Result<NearMisses> {
         let (along, length) = self.direction_and_length();
         let slack = 1e-12 * Aabb::from_points(curve.points()).size().max_element() / length;
         let mut found = NearMisses::default();

@@ -47,7 +47,7 @@ impl Surface<'_> {
         let seen = |tangent: DVec3| DVec2::new(tangent.dot(x), tangent.dot(y));
         let (mut forth, mut back) = (0.0, 0.0);
         for &place in &cells {
-            let angle = self.angle(place, seen) / TAU;
+            let angle = self.corner_angle(place, seen) / TAU;
             *if angle < 0.0 { &mut back } else { &mut forth } += angle;
         }
         let (turns, turned) = (forth + back, forth.min(-back) > 0.0);
@@ -113,8 +113,8 @@ impl Surface<'_> {
         cells
     }
 
-    /// The angle between the tangents from a place into its cell, in projection.
-    fn angle(&self, place: Place, seen: impl Fn(DVec3) -> DVec2) -> f64 {
+    /// Returns the angle between the tangents from a place into its cell, in projection.
+    fn corner_angle(&self, place: Place, seen: impl Fn(DVec3) -> DVec2) -> f64 {
         let between = |[a, b]: [DVec2; 2]| libm::atan2(a.perp_dot(b), a.dot(b));
         let at = |u: f64, v: f64| self.jet(Place { u, v, ..place });
         // At a pole, the tangents of the lines that meet there, turning in the sense from S_u to

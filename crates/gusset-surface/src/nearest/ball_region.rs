@@ -80,7 +80,7 @@ impl Surface<'_> {
 }
 
 /// Number of blocks of cells between two progress reports.
-const BLOCKS_PER_STEP: usize = 1 << 12;
+const BLOCKS_PER_REPORT: usize = 1 << 12;
 
 const STAGE: &str = "region";
 
@@ -103,7 +103,7 @@ impl QueryBall {
     ) -> Result<()> {
         let mut workspace = PartFrontier::default();
         for (k, block) in blocks_within(index, self.query, self.radius + self.tolerance).enumerate() {
-            if (k + 1).is_multiple_of(BLOCKS_PER_STEP) {
+            if (k + 1).is_multiple_of(BLOCKS_PER_REPORT) {
                 job.step(0.0, STAGE)?;
             }
             for [i, j] in block.cells(cells) {

@@ -52,8 +52,9 @@ fn max(a: f64, b: f64) -> f64 {
 }
 
 impl BlockCorners {
+    /// Reads the corners of a block of cells, relative to `query`.
     #[inline(always)]
-    pub(super) fn new<const N: usize>(
+    pub(super) fn from_cells<const N: usize>(
         cells: &impl Cells<N>,
         [top, left]: [usize; 2],
         [rows, columns]: [usize; 2],

@@ -46,7 +46,7 @@ impl<C: Cells<N>, const N: usize> BlockLeaf<'_, C, N> {
         let [rows, columns] = self.cells.counts();
         let (top, left) = (self.row * BLOCK, self.column * BLOCK);
         let (rows, columns) = (BLOCK.min(rows - top), BLOCK.min(columns - left));
-        let corners = BlockCorners::new(self.cells, [top, left], [rows, columns], query);
+        let corners = BlockCorners::from_cells(self.cells, [top, left], [rows, columns], query);
         upper.lower(corners.min_square().sqrt());
         let displacement = DisplacementBox::new(self.index.displacement(self.row, self.column));
         let prune_bound = upper.prune_bound();
@@ -239,7 +239,7 @@ mod tests {
             let grid = rough(seed);
             let index = Pyramid::build(&grid, &Job::default()).unwrap();
             let displacement = DisplacementBox::new(index.displacement(0, 0));
-            let corners = BlockCorners::new(&grid, [0, 0], [4, 3], query);
+            let corners = BlockCorners::from_cells(&grid, [0, 0], [4, 3], query);
             let direction = (query - grid.patch(2, 1).point(0.5, 0.5)).normalize();
             let spaces = corners.half_spaces(direction, displacement.extent_along(direction));
             let squares = corners.box_squares(&displacement);
@@ -267,7 +267,7 @@ mod tests {
         let index = Pyramid::build(&grid, &Job::default()).unwrap();
         let displacement = DisplacementBox::new(index.displacement(0, 0));
         let query = DVec3::new(-1.0, -2.0, 2.0);
-        let corners = BlockCorners::new(&grid, [0, 0], [4, 4], query);
+        let corners = BlockCorners::from_cells(&grid, [0, 0], [4, 4], query);
         for [i, j] in (0..16).map(|k| [k / 4, k % 4]) {
             let corner = DVec3::new(i as f64, j as f64, 0.0);
             let truth = corner.distance(query);

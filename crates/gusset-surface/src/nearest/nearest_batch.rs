@@ -18,7 +18,7 @@ use gusset_base::{alloc, par};
 /// Number of queries sorted at once.
 const QUERIES_PER_SORT: usize = 1 << 16;
 /// Number of queries between two progress reports.
-const QUERIES_PER_STEP: usize = 1 << 13;
+const QUERIES_PER_REPORT: usize = 1 << 13;
 /// Number of queries that a thread answers in one task.
 const QUERIES_PER_TASK: usize = 1 << 9;
 
@@ -50,7 +50,7 @@ impl Surface<'_> {
         let mut answered = 0;
         for (part, out) in queries.chunks(QUERIES_PER_SORT).zip(out.chunks_mut(QUERIES_PER_SORT)) {
             sort_along_curve(part, &mut order);
-            for round in order.chunks(QUERIES_PER_STEP) {
+            for round in order.chunks(QUERIES_PER_REPORT) {
                 job.step(answered as f64 / queries.len() as f64, "nearest points")?;
                 answered += round.len();
                 let answers = par::map(job.threads(), round.chunks(QUERIES_PER_TASK), |taken| {

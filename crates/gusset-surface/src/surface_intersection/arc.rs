@@ -196,7 +196,8 @@ impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
         [from, to]
     }
 
-    /// The point of the line of the middle that is deepest inside the box, or nearest to it.
+    /// Returns the point of `chart.line`, the tangent line of the solution curve, at the middle of
+    /// its part inside the box. If the line misses the box, returns a point near it.
     fn deepest_on_line(&self) -> DVec4 {
         let Chart { free, base, line, .. } = *self.chart;
         let [from, to] = self.line_inside();

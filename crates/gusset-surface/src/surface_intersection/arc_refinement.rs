@@ -19,8 +19,8 @@ const MAX_CUT_DEPTH: u32 = 6;
 /// Rows of control points of a cubic patch. Up to this degree, the ends of pieces reveal all waves
 /// of an arc.
 const CUBIC_ROWS: usize = 4;
-/// Largest number of pieces in one cut.
-const MAX_PIECES: f64 = 64.0;
+/// Largest number of pieces of one cut. Pieces may be cut again.
+const MAX_PIECES_PER_CUT: f64 = 64.0;
 
 /// A point of the arc, and its derivatives: of the parameters with respect to the free one, and the
 /// direction in space.
@@ -108,7 +108,7 @@ impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
     /// The number of pieces after which all chords between two knots are within the tolerance. The
     /// distance decreases with the square of the number.
     fn pieces(&self, knots: &[Knot; 2]) -> f64 {
-        (self.height(knots) / self.chord).sqrt().ceil().min(MAX_PIECES)
+        (self.height(knots) / self.chord).sqrt().ceil().min(MAX_PIECES_PER_CUT)
     }
 
     /// The distance between the cubic through two knots and their chord. T and U are the components

@@ -33,8 +33,8 @@ const REPEATED_RESOLUTIONS: [f64; 2] = [8.0, 2.0];
 pub(super) trait Surroundings {
     /// The sheets of a pair of cells.
     fn sheets(&self, pair: u32) -> [u32; 2];
-    /// The cell of the first surface, which is reported where something is unresolved.
-    fn cell(&self, pair: u32) -> [u32; 2];
+    /// Returns the cell of the first surface, which is reported where something is unresolved.
+    fn cell_of_first_surface(&self, pair: u32) -> [u32; 2];
     /// The point at parameters of a pair of cells.
     fn point(&self, pair: u32, x: DVec4) -> DVec3;
     /// Whether a chord is as close to both surfaces as the chords of the curves are.
@@ -126,7 +126,8 @@ impl<S: Surroundings> Bridges<'_, S> {
         let mut within = alloc::filled(false, points.len())?;
         for (ball, point) in self.points_in_balls(&points)? {
             let [own, other] = [self.pieces.balls[ball as usize].pair, points[point as usize].1];
-            within[point as usize] |= is_used(ball) && self.surroundings.cell(own) == self.surroundings.cell(other);
+            within[point as usize] |= is_used(ball)
+                && self.surroundings.cell_of_first_surface(own) == self.surroundings.cell_of_first_surface(other);
         }
         let mut rest = within.as_slice();
         for chain in short() {

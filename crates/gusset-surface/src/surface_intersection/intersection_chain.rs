@@ -18,7 +18,7 @@ use std::ops::ControlFlow;
 const MAX_NEIGHBOURS: usize = 64;
 
 /// Number of points between two progress reports.
-const ENDS_PER_STEP: usize = 1 << 12;
+const ENDS_PER_REPORT: usize = 1 << 12;
 
 /// Largest number of points with similar positions along a direction that are compared pairwise.
 /// For more points, a tree is faster.
@@ -43,7 +43,7 @@ pub(super) fn near_pairs(points: &[DVec3], within: f64, job: &Job<'_>) -> Result
             compared += run.len();
             continue;
         }
-        if (compared + run.len()) / ENDS_PER_STEP > compared / ENDS_PER_STEP {
+        if (compared + run.len()) / ENDS_PER_REPORT > compared / ENDS_PER_REPORT {
             own.step(0.0, "paths")?;
         }
         compared += run.len();
@@ -70,7 +70,7 @@ fn add_pairs_of_many(
     let own = alloc::collect(run.iter().map(|&(_, k)| points[k as usize]))?;
     let (tree, reach) = (KdTree::new(&own, job, "paths")?, Radius::new(within.max(f64::MIN_POSITIVE)));
     for (at, &(_, k)) in run.iter().enumerate() {
-        job.step_every(ENDS_PER_STEP, at, run.len(), "paths")?;
+        job.step_every(ENDS_PER_REPORT, at, run.len(), "paths")?;
         let (mut result, mut seen) = (Ok(()), 0);
         let _ = tree.visit_within(own[at], reach, &mut |_, n| {
             seen += 1;

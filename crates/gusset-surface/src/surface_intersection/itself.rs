@@ -24,15 +24,15 @@ use gusset_base::sort;
 use gusset_base::{alloc, par};
 
 /// Number of pairs of cells classified between two progress reports.
-const PAIRS_PER_STEP: usize = 1 << 16;
+const PAIRS_PER_REPORT: usize = 1 << 16;
 /// Number of arcs whose normals are evaluated between two progress reports.
-const ARCS_PER_STEP: usize = 1 << 12;
+const ARCS_PER_REPORT: usize = 1 << 12;
 /// Number of boxes examined for cells with common points before they are postponed.
-const FIRST_MAX_BOXES: usize = 1 << 11;
+const MAX_BOXES_BEFORE_POSTPONING: usize = 1 << 11;
 /// Number of boxes examined for all postponed pairs together.
-const SECOND_TOTAL_BOXES: usize = 1 << 22;
+const MAX_POSTPONED_BOXES: usize = 1 << 22;
 /// Largest number of boxes for a postponed pair. A pinch point takes about 2^15.
-const SECOND_MAX_BOXES: usize = 1 << 16;
+const MAX_BOXES_PER_POSTPONED_PAIR: usize = 1 << 16;
 /// Trails with fewer arcs may be scraps, which lie within the places reported as unresolved.
 const MIN_TRAIL_ARCS: usize = 8;
 /// Control points within this number of rounding errors are the same point.
@@ -74,7 +74,7 @@ impl Surface<'_> {
         let (joints, pairs) = self.own_pairs(tolerance, &job.part(0.0, 0.2))?;
         let (mut near, mut far) = (Vec::new(), Vec::new());
         for (k, pair) in pairs.iter().enumerate() {
-            job.part(0.2, 0.2).step_every(PAIRS_PER_STEP, k, pairs.len(), "pairs of cells")?;
+            job.part(0.2, 0.2).step_every(PAIRS_PER_REPORT, k, pairs.len(), "pairs of cells")?;
             let [a, b] = pair.sheets;
             let joined = a == b && joints[a as usize].are_joined(pair.cells);
             alloc::push(if joined { &mut near } else { &mut far }, k as u32)?;
@@ -96,7 +96,7 @@ impl Surface<'_> {
         intersection.solve_near(&near, &joints, &mut pieces, &job.part(0.5, 0.9))?;
         let pieces = intersection.cut_overlaps(&pieces, &job.part(0.9, 0.92))?.unwrap_or(pieces);
         let trails = intersection.trails(&pieces, &job.part(0.92, 0.95))?;
-        intersection.trail_paths(&pieces, &trails, &job.part(0.95, 1.0))
+        intersection.build_trail_paths(&pieces, &trails, &job.part(0.95, 1.0))
     }
 
     /// The joints of each sheet's cells, and the pairs of cells that may meet elsewhere.
@@ -118,10 +118,11 @@ impl Surface<'_> {
 impl Intersection<'_> {
     /// Adds the arcs of cells that have points in common.
     fn solve_near(&self, near: &[u32], joints: &[Joints], pieces: &mut FoundArcs, job: &Job<'_>) -> Result<()> {
-        self.solve_all_near(near, joints, FIRST_MAX_BOXES, false, pieces, &job.part(0.0, 0.5))?;
+        self.solve_all_near(near, joints, MAX_BOXES_BEFORE_POSTPONING, false, pieces, &job.part(0.0, 0.5))?;
         let again = std::mem::take(&mut pieces.exhausted);
         if !again.is_empty() {
-            let max_boxes = (SECOND_TOTAL_BOXES / again.len()).clamp(FIRST_MAX_BOXES, SECOND_MAX_BOXES);
+            let max_boxes =
+                (MAX_POSTPONED_BOXES / again.len()).clamp(MAX_BOXES_BEFORE_POSTPONING, MAX_BOXES_PER_POSTPONED_PAIR);
             self.solve_all_near(&again, joints, max_boxes, true, pieces, &job.part(0.5, 1.0))?;
         }
         sort::stable(&mut pieces.arcs, &|a, b| (a.pair, a.from).cmp(&(b.pair, b.from)));
@@ -177,7 +178,7 @@ impl Intersection<'_> {
     fn trails(&self, pieces: &FoundArcs, job: &Job<'_>) -> Result<Vec<Trail>> {
         let count = 2 * pieces.arcs.len();
         let normals = alloc::try_collect::<_, Error>((0..count).map(|k| {
-            job.part(0.0, 0.5).step_every(ARCS_PER_STEP, k, count, "paths")?;
+            job.part(0.0, 0.5).step_every(ARCS_PER_REPORT, k, count, "paths")?;
             let arc = pieces.arcs[k / 2];
             let at = if k % 2 == 0 { arc.from } else { arc.to - 1 };
             let places = self.places.places(arc.pair, pieces.points[at as usize]);
@@ -209,7 +210,7 @@ impl Intersection<'_> {
     }
 
     /// Converts trails to paths, and lists the unresolved cells.
-    fn trail_paths(&self, pieces: &FoundArcs, trails: &[Trail], job: &Job<'_>) -> Result<Paths> {
+    fn build_trail_paths(&self, pieces: &FoundArcs, trails: &[Trail], job: &Job<'_>) -> Result<Paths> {
         let mut paths = Paths { ends: alloc::filled(0, 1)?, ..Paths::default() };
         for (k, trail) in trails.iter().enumerate() {
             job.step_every(1 << 10, k, trails.len(), "paths")?;

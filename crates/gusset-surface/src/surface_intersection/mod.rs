@@ -65,14 +65,14 @@ use std::ops::Range;
 /// Number of pairs of cells that a thread solves in one task.
 const PAIRS_PER_CHUNK: usize = 32;
 /// Number of boxes of parameters examined between two progress reports.
-const BOXES_PER_STEP: usize = 1 << 16;
+const BOXES_PER_REPORT: usize = 1 << 16;
 /// Number of boxes examined for a pair of cells before the pair is postponed.
-const FIRST_MAX_BOXES: usize = 256;
+const MAX_BOXES_BEFORE_POSTPONING: usize = 256;
 /// Number of boxes examined for all postponed pairs together. Each pair gets at least
-/// [`FIRST_MAX_BOXES`].
-const SECOND_TOTAL_BOXES: usize = 1 << 22;
+/// [`MAX_BOXES_BEFORE_POSTPONING`].
+const MAX_POSTPONED_BOXES: usize = 1 << 22;
 /// Largest number of boxes for a postponed pair.
-const SECOND_MAX_BOXES: usize = 1 << 17;
+const MAX_BOXES_PER_POSTPONED_PAIR: usize = 1 << 17;
 
 /// Length of arcs that may be lost, in resolutions. Arcs of many successive boxes, as at poles, are
 /// shorter than a resolution together.
@@ -216,7 +216,7 @@ impl Surroundings for Intersection<'_> {
         self.places.pairs[pair as usize].sheets
     }
 
-    fn cell(&self, pair: u32) -> [u32; 2] {
+    fn cell_of_first_surface(&self, pair: u32) -> [u32; 2] {
         self.places.pairs[pair as usize].cells[0]
     }
 
@@ -235,10 +235,11 @@ impl Intersection<'_> {
     /// Finds the arcs of some pairs of cells, in the order of the pairs.
     fn solve(&self, which: &[u32], job: &Job<'_>) -> Result<FoundArcs> {
         let mut pieces = FoundArcs::default();
-        self.solve_all(which, FIRST_MAX_BOXES, false, &mut pieces, &job.part(0.0, 0.8))?;
+        self.solve_all(which, MAX_BOXES_BEFORE_POSTPONING, false, &mut pieces, &job.part(0.0, 0.8))?;
         let again = std::mem::take(&mut pieces.exhausted);
         if !again.is_empty() {
-            let max_boxes = (SECOND_TOTAL_BOXES / again.len()).clamp(FIRST_MAX_BOXES, SECOND_MAX_BOXES);
+            let max_boxes =
+                (MAX_POSTPONED_BOXES / again.len()).clamp(MAX_BOXES_BEFORE_POSTPONING, MAX_BOXES_PER_POSTPONED_PAIR);
             self.solve_all(&again, max_boxes, true, &mut pieces, &job.part(0.8, 1.0))?;
             sort::stable(&mut pieces.arcs, &|a, b| (a.pair, a.from).cmp(&(b.pair, b.from)));
             sort::stable(&mut pieces.balls, &|a, b| a.pair.cmp(&b.pair));
@@ -257,7 +258,7 @@ impl Intersection<'_> {
     ) -> Result<()> {
         let chunk = if last { 1 } else { PAIRS_PER_CHUNK };
         // Most pairs need one or two boxes. Postponed pairs may need all that are permitted.
-        let batch = if last { BOXES_PER_STEP.div_ceil(max_boxes) } else { BOXES_PER_STEP / 16 };
+        let batch = if last { BOXES_PER_REPORT.div_ceil(max_boxes) } else { BOXES_PER_REPORT / 16 };
         for (k, part) in which.chunks(batch).enumerate() {
             let [from, to] = [k, k + 1].map(|k| ((k * batch) as f64 / which.len() as f64).min(1.0));
             let ranges = par::ranges(part.len(), chunk);

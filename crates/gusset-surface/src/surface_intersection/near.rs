@@ -30,7 +30,7 @@ use gusset_base::job::Job;
 /// Beyond it, the parts are reported as unresolved.
 const MAX_PARTS: usize = 512;
 /// Number of parts between two progress reports.
-const PARTS_PER_STEP: usize = 1 << 8;
+const PARTS_PER_REPORT: usize = 1 << 8;
 
 /// Two cells of one sheet that have points in common.
 pub(super) struct NearPair<'a> {
@@ -39,7 +39,8 @@ pub(super) struct NearPair<'a> {
     pub(super) joints: &'a Joints,
 }
 
-/// Bounds of the derivatives of L S with respect to both parameters: rows, then columns.
+/// Bounds [low, high] of the derivatives of L S: by row of the matrix L, then by parameter (u, v)
+/// of the surface S.
 type Slopes = [[[f64; 2]; 2]; 2];
 
 impl NearPair<'_> {
@@ -50,7 +51,7 @@ impl NearPair<'_> {
         pieces: &mut FoundArcs,
         job: &Job<'_>,
     ) -> Result<()> {
-        let mut search = self.task.search(&whole.nets, pieces, job);
+        let mut search = self.task.begin_search(&whole.nets, pieces, job);
         let outcome = self.descend(&mut search, whole);
         search.finish(outcome, whole)
     }
@@ -65,7 +66,7 @@ impl NearPair<'_> {
         while !parts.is_empty() {
             let mut left = Vec::new();
             for (k, part) in parts.into_iter().enumerate() {
-                if (k + 1).is_multiple_of(PARTS_PER_STEP) {
+                if (k + 1).is_multiple_of(PARTS_PER_REPORT) {
                     search.step()?;
                 }
                 let joint = match self.joints.part_relation(self.cells, &part) {

@@ -17,7 +17,7 @@ use gusset_base::job::Job;
 use gusset_base::sort;
 
 /// Number of arcs along sides between two progress reports.
-const ARCS_PER_STEP: usize = 1 << 6;
+const ARCS_PER_REPORT: usize = 1 << 6;
 
 /// Ends of other arcs within this fraction of an arc's length count as its own ends. The limit is
 /// clamped to this range of resolutions.
@@ -54,7 +54,7 @@ impl Overlaps<'_> {
         let mut cuts = Vec::new();
         let arcs = &self.pieces.arcs;
         for (k, arc) in arcs.iter().enumerate().filter(|(_, arc)| arc.is_along_side) {
-            job.part(0.1, 1.0).step_every(ARCS_PER_STEP, k, arcs.len(), "paths")?;
+            job.part(0.1, 1.0).step_every(ARCS_PER_REPORT, k, arcs.len(), "paths")?;
             self.add_cuts(k as u32, arc, &ends, &tree, &mut cuts)?;
         }
         sort::stable(&mut cuts, &|a, b| (a.arc, a.behind).cmp(&(b.arc, b.behind)).then(a.way.total_cmp(&b.way)));

@@ -28,7 +28,7 @@ pub struct CellPair {
 pub const MAX_PAIRS: u64 = 1 << 26;
 
 /// Number of pairs of blocks, or of cells, between two progress reports.
-const PAIRS_PER_STEP: usize = 1 << 16;
+const PAIRS_PER_REPORT: usize = 1 << 16;
 
 /// A sheet and its index.
 struct Indexed<'a> {
@@ -348,7 +348,7 @@ impl Descent<'_> {
     /// Counts examined pairs, and reports progress.
     fn count_pairs(&mut self, pairs: usize) -> Result<()> {
         self.unheard += pairs;
-        if self.unheard >= PAIRS_PER_STEP {
+        if self.unheard >= PAIRS_PER_REPORT {
             self.unheard = 0;
             self.job.step(0.0, "pairs of cells")?;
         }

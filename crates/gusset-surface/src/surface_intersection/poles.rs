@@ -26,7 +26,7 @@ use std::f64::consts::TAU;
 /// Largest number of halvings towards the pole.
 const MAX_BAND: i32 = 8;
 /// Number of cells between two progress reports.
-const CELLS_PER_STEP: usize = 1 << 8;
+const CELLS_PER_REPORT: usize = 1 << 8;
 /// Number of pieces of a cell around the pole.
 const PIECES_PER_CELL: usize = 8;
 
@@ -155,7 +155,7 @@ fn are_injective<const N: usize>(quotients: &[Patch<N>], is_ring: bool, job: &Jo
         patch.transposed().halves().map(eighths)
     };
     for (k, patch) in quotients.iter().enumerate() {
-        if (k + 1).is_multiple_of(CELLS_PER_STEP) {
+        if (k + 1).is_multiple_of(CELLS_PER_REPORT) {
             job.step(0.0, "poles")?;
         }
         let pieces = pieces(patch);

@@ -22,10 +22,12 @@ use std::borrow::Cow;
 /// Transversal intersections need fewer boxes.
 const BOXES_BEFORE_DEGENERACY_TEST: usize = 12;
 
-/// Boxes shorter than this many tolerances are too small for a contact if the surfaces are
-/// transversal there. Boxes shorter than this many resolutions are always too small. The width of a
-/// contact is the square root of the tolerance times the radius of curvature.
+/// In boxes up to this many tolerances long, the search does not report a contact if the surfaces
+/// are transversal and proved apart. The width of a contact is the square root of the tolerance
+/// times the radius of curvature.
 const SLENDER_TOLERANCES: f64 = 64.0;
+/// In boxes up to this many resolutions long, the search does not report a contact if the surfaces
+/// are proved apart.
 const TINY_RESOLUTIONS: f64 = 4.0;
 /// Thickness of pieces below which they are not halved further, in tolerances. It is smaller than
 /// the lens between surfaces that overlap by more than the tolerance, so the complete rim of a lens
@@ -40,7 +42,7 @@ const SIDE_SLACK: f64 = 1e-6;
 const MAX_SIDE_SLOPE: f64 = 1e-2;
 
 /// Number of boxes of a pair between two progress reports.
-const BOXES_PER_STEP: usize = 1 << 10;
+const BOXES_PER_REPORT: usize = 1 << 10;
 
 /// Largest number of separate balls of one pair.
 const MAX_BALLS: usize = 64;
@@ -168,14 +170,14 @@ impl PairTask {
         pieces: &mut FoundArcs,
         job: &Job<'_>,
     ) -> Result<()> {
-        let mut search = self.search(&whole.nets, pieces, job);
+        let mut search = self.begin_search(&whole.nets, pieces, job);
         // Most pairs have one box, so it is borrowed and no memory is allocated.
         let outcome = search.run(Cow::Borrowed(whole));
         search.finish(outcome, whole)
     }
 
-    /// Creates a search whose boxes share the limit of the pair.
-    pub(super) fn search<'a, const N: usize, const M: usize>(
+    /// Begins a search whose boxes share the limit of the pair. The caller runs it.
+    pub(super) fn begin_search<'a, const N: usize, const M: usize>(
         &'a self,
         equation: &'a Equation<N, M>,
         pieces: &'a mut FoundArcs,
@@ -228,7 +230,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
     fn classify(&mut self, part: &Cow<'a, ParameterBox<N, M>>) -> Result<BoxTest<([ArcEnd; 2], usize), usize>, Stop> {
         let (PairTask { tolerance, resolution, rounding_error, .. }, equation) = (*self.task, self.equation);
         self.examined += 1;
-        if self.examined.is_multiple_of(BOXES_PER_STEP) {
+        if self.examined.is_multiple_of(BOXES_PER_REPORT) {
             self.step()?;
         }
         let has_no_area = || equation.a.patch().has_no_area() && equation.b.patch().has_no_area();

@@ -126,7 +126,7 @@ pub fn roots(c: &[f64], noise: f64) -> Roots {
         return found;
     }
     if let [a, b, d] = *c
-        && quadratic(a, b, d, noise, &mut found)
+        && solve_quadratic(a, b, d, noise, &mut found)
     {
         return found;
     }
@@ -156,7 +156,7 @@ fn linear(a: f64, b: f64, noise: f64, found: &mut Roots) {
 ///
 /// With A = a - 2 b + d and B = b - a, the equation is A t^2 + 2 B t + a = 0. Its roots are a / q
 /// and q / A with q = -B -+ sqrt(b^2 - a d), where the sign avoids cancellation.
-fn quadratic(a: f64, b: f64, d: f64, noise: f64, found: &mut Roots) -> bool {
+fn solve_quadratic(a: f64, b: f64, d: f64, noise: f64, found: &mut Roots) -> bool {
     let discriminant = b * b - a * d;
     let size = a.abs().max(b.abs()).max(d.abs());
     if a.abs() <= noise || d.abs() <= noise || discriminant.abs() <= 4.0 * noise * size {

@@ -36,8 +36,8 @@ use gusset_base::job::Job;
 /// nearly singular.
 const MIN_CROSSING_PARAMETER: f64 = 0.01;
 
-/// The number of sweeps after which a point falls back for good if its section does not cross its
-/// guide.
+/// If the section at a point still does not cross the point's guide line after this many sweeps,
+/// the point keeps the parameter of the data's triangle.
 const MAX_SWEEPS_WITHOUT_CROSSING: u32 = 24;
 
 /// Points between two progress reports.

@@ -97,7 +97,7 @@ fn solve(sub: &Subcurve<'_>, collocation: &mut Collocation, out: &mut Output<'_>
 /// the first point's triangle.
 fn seam_tangent(sub: &Subcurve<'_>) -> DVec3 {
     let [a, p, c] = sub.triple(0);
-    let section = sub.options.method.section(a, p, c).or_else(|_| Method::Bisector.section(a, p, c));
+    let section = sub.options.method.compute_section(a, p, c).or_else(|_| Method::Bisector.compute_section(a, p, c));
     let direction =
         section.map(|section| (section.control - a) * (1.0 - section.t) + (c - section.control) * section.t);
     // A reversal: use a perpendicular.

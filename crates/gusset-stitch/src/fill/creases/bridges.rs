@@ -12,7 +12,8 @@ use gusset_base::error::Result;
 /// to the chord's length.
 const MAX_PLAIN_SAG: f64 = 0.1;
 
-/// The path from the tip of one crease end across the hole to the tip of another.
+/// A path across the hole that continues one crease into another, from the end of one crease to the
+/// end of the other.
 pub(super) struct Bridge {
     pub(super) to: usize,
     /// The curve that begins at this end.

@@ -76,8 +76,9 @@ struct Branch {
 }
 
 impl Branch {
-    /// Adds one loop, joined at `place` to its vertex `v` by the bridge of this rank.
-    fn with_loop(&self, rims: &NumberedRims, place: usize, v: u32, rank: u32) -> Result<Branch> {
+    /// Returns the branch extended by one loop, joined at `place` to its vertex `v` by the bridge
+    /// of this rank.
+    fn extended_by_loop(&self, rims: &NumberedRims, place: usize, v: u32, rank: u32) -> Result<Branch> {
         let ring = rims.ring[v as usize] as usize;
         let (mut is_joined, mut least) = (alloc::copied(&self.is_joined)?, alloc::copied(&self.least)?);
         let k = is_joined.len();
@@ -87,7 +88,7 @@ impl Branch {
             }
         }
         is_joined[ring] = true;
-        Ok(Branch { opened: self.opened.with_loop(place, rims.range(ring), v)?, is_joined, least })
+        Ok(Branch { opened: self.opened.extended_by_loop(place, rims.range(ring), v)?, is_joined, least })
     }
 }
 
@@ -128,7 +129,7 @@ pub(super) fn best_over_trees(
         // The first bridge is the shortest in the tree.
         let least = alloc::filled(rank as u32, k * k)?;
         let alone = Branch { opened: Opened::from_loop(range)?, is_joined, least };
-        search.branch(alone.with_loop(rims, place, v, rank as u32)?, &job.share(rank, count))?;
+        search.branch(alone.extended_by_loop(rims, place, v, rank as u32)?, &job.share(rank, count))?;
     }
     Ok(search.best)
 }
@@ -158,7 +159,7 @@ impl TreeSearch<'_> {
             key(x).cmp(&key(y))
         });
         for (u, v, place) in next {
-            self.branch(branch.with_loop(rims, place, v, self.bridges.rank(rims, u, v))?, job)?;
+            self.branch(branch.extended_by_loop(rims, place, v, self.bridges.rank(rims, u, v))?, job)?;
         }
         Ok(())
     }

@@ -114,7 +114,7 @@ fn open_along_tree(rims: &NumberedRims, tree: &[[u32; 2]]) -> Result<Opened> {
         };
         let [u, v] = if is_joined[ring(u)] { [u, v] } else { [v, u] };
         if let Some(place) = opened.order.iter().position(|&w| w == u) {
-            opened = opened.with_loop(place, rims.range(ring(v)), v)?;
+            opened = opened.extended_by_loop(place, rims.range(ring(v)), v)?;
         }
         is_joined[ring(v)] = true;
     }

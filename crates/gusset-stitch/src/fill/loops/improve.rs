@@ -1,7 +1,7 @@
 //! Improves a triangulation by cutting it open along other bridges and searching again.
 
 use super::super::chords::{AllChords, NearChords};
-use super::super::search::{MAX_EXACT, MAX_SEARCHED, MIN_GAIN, bands};
+use super::super::search::{MAX_EXACT, MAX_SEARCHED_VERTICES, MIN_GAIN, bands};
 use super::numbered_rims::NumberedRims;
 use super::opened::cut_open;
 use super::task::{Closed, Repeats, Task};
@@ -23,7 +23,7 @@ pub(super) const NOTHING_TAKEN: &dyn Fn(u32, u32) -> bool = &|_, _| false;
 /// improves it.
 pub(super) fn improve(task: &Task<'_>, mut best: Closed, job: &Job<'_>) -> Result<Closed> {
     let n = best.opened.len();
-    let rounds = if n <= MAX_EXACT { MAX_ROUNDS } else { (MAX_SEARCHED / n).clamp(1, MAX_ROUNDS) };
+    let rounds = if n <= MAX_EXACT { MAX_ROUNDS } else { (MAX_SEARCHED_VERTICES / n).clamp(1, MAX_ROUNDS) };
     let mut old = alloc::collect(best.opened.tree()?.iter().map(|&(ends, _)| ends))?;
     let mut vain = 0;
     for round in 0..rounds {

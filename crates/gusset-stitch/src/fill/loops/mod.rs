@@ -111,7 +111,7 @@ pub(super) fn cost(loops: &[Polygon], triangles: &[[u32; 3]], weight: Weight) ->
 /// each loop to a few vertices, and allows a margin. O(n).
 pub(super) fn may_gain(loops: [&Polygon; 2], weight: Weight, job: &Job<'_>) -> Result<bool> {
     let few = alloc::try_collect(loops.map(|polygon| polygon.thinned_to(TRIAL_VERTICES)))?;
-    let side = |polygon: &Polygon| polygon.length() / polygon.points.len() as f64;
+    let side = |polygon: &Polygon| polygon.perimeter() / polygon.points.len() as f64;
     let reach = TRIAL_NEARNESS * side(&few[0]).min(side(&few[1]));
     // Measure from the thinned loop with the shorter sides.
     let (one, other) = if side(&few[0]) <= side(&few[1]) { (&few[0], loops[1]) } else { (&few[1], loops[0]) };

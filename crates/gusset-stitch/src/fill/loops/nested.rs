@@ -92,7 +92,7 @@ fn join_nested(task: &Task<'_>, flat: &[DVec2], outer: usize, job: &Job<'_>) -> 
         if (task.taken)(opened.order[place], v) {
             return Ok(None);
         }
-        opened = opened.with_loop(place, rims.range(ring), v)?;
+        opened = opened.extended_by_loop(place, rims.range(ring), v)?;
     }
     Ok(Some(opened))
 }

@@ -32,7 +32,7 @@ impl Opened {
 
     /// Adds the loop with the vertices `range` by a bridge from a place to its vertex `v`. The
     /// bridge becomes the last edge.
-    pub(super) fn with_loop(&self, place: usize, range: Range<u32>, v: u32) -> Result<Opened> {
+    pub(super) fn extended_by_loop(&self, place: usize, range: Range<u32>, v: u32) -> Result<Opened> {
         let n = self.order.len() + range.len() + 2;
         let (mut order, mut bridges) = (alloc::with_capacity(n)?, alloc::with_capacity(n)?);
         order.extend((v..range.end).chain(range.start..=v));

@@ -39,7 +39,7 @@ pub(super) fn zip_loops(task: &Task<'_>, best: Closed, job: &Job<'_>) -> Result<
         v = nearest(1, u);
         u = nearest(0, v);
     }
-    let opened = Opened::from_loop(rims.range(0))?.with_loop(u as usize, rims.range(1), v)?;
+    let opened = Opened::from_loop(rims.range(0))?.extended_by_loop(u as usize, rims.range(1), v)?;
     let triangles = zip_triangles(task, &opened, rims.range(1).len())?;
     if !task.is_less(&task.cost(&opened.to_vertices(&triangles)?)?, &best.cost) {
         return Ok(best);

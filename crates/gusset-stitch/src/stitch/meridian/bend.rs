@@ -38,8 +38,8 @@ pub(super) struct Bends<'a> {
     sides: [Line; 2],
     /// Weight of the bends along the rims.
     rim_weight: f64,
-    /// Weight of the meridians' squared lengths.
-    tie: f64,
+    /// Weight of the sum of squared meridian lengths. It decides between strips of equal bend.
+    tie_break_weight: f64,
     continuation: Option<Tangents>,
 }
 
@@ -70,8 +70,8 @@ impl Row {
 }
 
 impl<'a> Bends<'a> {
-    /// Minimises bends. For `tie` see [`tie_break`].
-    pub(super) fn smooth(rims: &RimPair<'a>, tie: f64) -> Result<Self> {
+    /// Minimises bends. For `tie_break_weight` see [`tie_break`].
+    pub(super) fn smooth(rims: &RimPair<'a>, tie_break_weight: f64) -> Result<Self> {
         let &RimPair { a, b, sides, .. } = rims;
         let ends = |points: &[DVec3], side: Option<&[DVec3]>| {
             let mut line = Line::zeros(points.len())?;
@@ -80,11 +80,11 @@ impl<'a> Bends<'a> {
         };
         let rim_weight = if sides.is_some() { 1.0 } else { 0.0 };
         let sides = [ends(a, sides.map(|sides| sides[0]))?, ends(b, sides.map(|sides| sides[1]))?];
-        Ok(Bends { a, b: Line::new(b)?, sides, rim_weight, tie, continuation: None })
+        Ok(Bends { a, b: Line::new(b)?, sides, rim_weight, tie_break_weight, continuation: None })
     }
 
     /// Maximises the continuation of both surfaces.
-    pub(super) fn continuation(rims: &RimPair<'a>, tie: f64) -> Result<Self> {
+    pub(super) fn continuation(rims: &RimPair<'a>, tie_break_weight: f64) -> Result<Self> {
         let &RimPair { a, b, sides, closed, .. } = rims;
         let length = |line: &[DVec3]| line.windows(2).map(|edge| edge[0].distance(edge[1])).sum::<f64>();
         let mean = (length(a) + length(b)) / (a.len() + b.len() - 2).max(1) as f64;
@@ -94,7 +94,7 @@ impl<'a> Bends<'a> {
             None => Line::zeros(points.len()),
         };
         let normals = [normals(a, sides.map(|sides| sides[0]))?, normals(b, sides.map(|sides| sides[1]))?];
-        let least = Bends::smooth(rims, tie * per_edge)?;
+        let least = Bends::smooth(rims, tie_break_weight * per_edge)?;
         let rim_weight = RIM_WEIGHT * least.rim_weight;
         Ok(Bends { rim_weight, continuation: Some(Tangents { normals, per_edge }), ..least })
     }
@@ -185,7 +185,11 @@ impl<'a> Bends<'a> {
         };
         let next = if first_on_b { normal(0, 1, true) } else { normal(1, 0, false) };
         let (last, length) = (normal(n, m, last_on_b), self.a[n].distance(b(m)));
-        if self.continuation.is_some() { bend::<true>(last, next, length) } else { bend::<false>(last, next, length) }
+        if self.continuation.is_some() {
+            bend_between_normals::<true>(last, next, length)
+        } else {
+            bend_between_normals::<false>(last, next, length)
+        }
     }
 }
 
@@ -230,11 +234,12 @@ impl Steps<'_> {
         rim: impl Fn(usize) -> (DVec3, f64),
         [after_a, after_b]: [&mut [f64]; 2],
     ) {
-        let (tie, rim_weight) = (bends.tie, bends.rim_weight);
+        let (tie_break_weight, rim_weight) = (bends.tie_break_weight, bends.rim_weight);
         let [from, to] = self.meridians;
         let alone = |j: usize| {
             let (side, length) = rim(j);
-            let along = tie * self.squared[j] + rim_weight * bend::<CONTINUES>(point(self.normals, j), side, length);
+            let along = tie_break_weight * self.squared[j]
+                + rim_weight * bend_between_normals::<CONTINUES>(point(self.normals, j), side, length);
             if !CONTINUES {
                 return along;
             }
@@ -242,8 +247,8 @@ impl Steps<'_> {
         };
         for j in 0..after_a.len() {
             let (normal, alone) = (point(self.normals, j), alone(j));
-            after_a[j] = alone + bend::<CONTINUES>(normal, point(self.before[0], j), from[j]);
-            after_b[j] = alone + bend::<CONTINUES>(normal, point(self.before[1], j), from[j]);
+            after_a[j] = alone + bend_between_normals::<CONTINUES>(normal, point(self.before[0], j), from[j]);
+            after_b[j] = alone + bend_between_normals::<CONTINUES>(normal, point(self.before[1], j), from[j]);
         }
         if begins && let ([a, ..], [b, ..]) = (after_a, after_b) {
             (*a, *b) = (alone(0), alone(0));
@@ -253,7 +258,7 @@ impl Steps<'_> {
 
 /// Returns the bend between triangles with normals `p` and `q` across an edge.
 #[inline(always)]
-fn bend<const CONTINUES: bool>(p: DVec3, q: DVec3, length: f64) -> f64 {
+fn bend_between_normals<const CONTINUES: bool>(p: DVec3, q: DVec3, length: f64) -> f64 {
     if CONTINUES { p.distance(q) } else { length * (1.0 - p.dot(q)) }
 }
 

@@ -45,7 +45,7 @@ pub(super) fn cheapest_path(
         metric,
         band,
         line: Line::new(rims.b)?,
-        steps: StepCosts::new(m + 1)?,
+        steps: StepCosts::with_len(m + 1)?,
         cost: alloc::filled(f64::INFINITY, m + 1)?,
     };
 

@@ -66,7 +66,8 @@ pub(super) struct StepCosts {
 }
 
 impl StepCosts {
-    pub(super) fn new(len: usize) -> Result<Self> {
+    /// Creates costs of 0 for `len` nodes.
+    pub(super) fn with_len(len: usize) -> Result<Self> {
         Ok(StepCosts { a: alloc::filled(0.0, len)?, b: alloc::filled(0.0, len)?, squared: alloc::filled(0.0, len)? })
     }
 }
@@ -74,8 +75,9 @@ impl StepCosts {
 /// A sum over the steps of a path, each independent of the others.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Metric {
-    /// Twice the area of the triangles, plus `tie` times the sum of the meridians' squared lengths.
-    Area { tie: f64 },
+    /// Twice the area of the triangles, plus `tie_break_weight` times the sum of the meridians'
+    /// squared lengths.
+    Area { tie_break_weight: f64 },
     /// The sum of the meridians' lengths.
     Diagonal,
     /// The sum of the meridians' squared lengths. The path may step on both rims at once.
@@ -89,7 +91,9 @@ impl Metric {
     pub(super) fn area(a: &[DVec3], b: &[DVec3], paper: &[Pair]) -> Self {
         let area = strip_area(a, b, paper);
         let squared: f64 = paper.iter().map(|&[i, j]| a[i as usize].distance_squared(b[j as usize])).sum();
-        Metric::Area { tie: if area > 0.0 && squared > 0.0 { 0.5f64.powi(32) * area / squared } else { 1.0 } }
+        Metric::Area {
+            tie_break_weight: if area > 0.0 && squared > 0.0 { 0.5f64.powi(32) * area / squared } else { 1.0 },
+        }
     }
 
     /// Returns true if the path may step on both rims at once.
@@ -109,8 +113,8 @@ impl Metric {
             let (dx, dy, dz) = (x[j] - here.x, y[j] - here.y, z[j] - here.z);
             squared[j] = dx * dx + dy * dy + dz * dz;
         }
-        let tie = match self {
-            Metric::Area { tie } => tie,
+        let tie_break_weight = match self {
+            Metric::Area { tie_break_weight } => tie_break_weight,
             Metric::Diagonal => {
                 for j in 0..n {
                     step_a[j] = squared[j].sqrt();
@@ -128,7 +132,7 @@ impl Metric {
         for j in 0..n {
             let (dx, dy, dz) = (x[j] - here.x, y[j] - here.y, z[j] - here.z);
             let (cx, cy, cz) = (edge.y * dz - edge.z * dy, edge.z * dx - edge.x * dz, edge.x * dy - edge.y * dx);
-            step_a[j] = (cx * cx + cy * cy + cz * cz).sqrt() + tie * squared[j];
+            step_a[j] = (cx * cx + cy * cy + cz * cz).sqrt() + tie_break_weight * squared[j];
         }
         // Steps on B start at j = 1.
         let from = first.max(1);
@@ -140,7 +144,7 @@ impl Metric {
             let (ex, ey, ez) = (x[j] - px[j], y[j] - py[j], z[j] - pz[j]);
             let (dx, dy, dz) = (here.x - px[j], here.y - py[j], here.z - pz[j]);
             let (cx, cy, cz) = (ey * dz - ez * dy, ez * dx - ex * dz, ex * dy - ey * dx);
-            step_b[j] = (cx * cx + cy * cy + cz * cz).sqrt() + tie * squared[j];
+            step_b[j] = (cx * cx + cy * cy + cz * cz).sqrt() + tie_break_weight * squared[j];
         }
     }
 
@@ -148,7 +152,9 @@ impl Metric {
     pub(super) fn path_cost(self, a: &[DVec3], b: &[DVec3], pairs: &[Pair]) -> f64 {
         let squared = |&[i, j]: &Pair| a[i as usize].distance_squared(b[j as usize]);
         match self {
-            Metric::Area { tie } => strip_area(a, b, pairs) + tie * pairs[1..].iter().map(squared).sum::<f64>(),
+            Metric::Area { tie_break_weight } => {
+                strip_area(a, b, pairs) + tie_break_weight * pairs[1..].iter().map(squared).sum::<f64>()
+            }
             Metric::Diagonal => pairs[1..].iter().map(|pair| squared(pair).sqrt()).sum(),
             Metric::Quad => pairs[1..].iter().map(squared).sum(),
         }

@@ -26,7 +26,7 @@ pub(crate) struct RimPair<'a> {
     pub(crate) penalties: &'a [StepPenalty],
 }
 
-/// An additional cost of a step.
+/// An additional cost of the step that leads to node `to` on the path of meridians.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct StepPenalty {
     /// The node that the step leads to.

@@ -104,8 +104,8 @@ struct StateSearch<'a, const STATES: usize> {
     cost: &'a Cost<'a>,
     band: &'a Band,
     line: Line,
-    /// The costs of the steps into the nodes of the current row. For bends, after a step on A and
-    /// after a step on B; otherwise the first entry holds for both.
+    /// The costs of the steps into the nodes of the current row. With [`Cost::Bends`], entry 0
+    /// holds after a step on A and entry 1 after a step on B. Otherwise entry 0 holds for both.
     steps: [StepCosts; 2],
     /// Row i of the triangles is `triangles[i % 2]`.
     triangles: [Row; 2],
@@ -127,7 +127,7 @@ impl<'a, const STATES: usize> StateSearch<'a, STATES> {
             cost,
             band,
             line: Line::new(rims.b)?,
-            steps: [StepCosts::new(m + 1)?, StepCosts::new(m + 1)?],
+            steps: [StepCosts::with_len(m + 1)?, StepCosts::with_len(m + 1)?],
             triangles: [Row::new(bend_columns)?, Row::new(bend_columns)?],
             row: alloc::filled(Self::UNREACHABLE, m + 1)?,
             arrivals: alloc::filled([0u8; STATES], band.nodes(0..n + 1))?,

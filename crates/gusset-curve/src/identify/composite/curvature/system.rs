@@ -102,20 +102,21 @@ pub(super) fn evaluate(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: u
         };
     }
     if known[i].curved {
-        values[4] = log_curvature_at_end(sub, known, nodes, i) - log_curvature_at_start(sub, known, nodes, sub.next(i));
+        values[4] = log_scaled_curvature_at_end(sub, known, nodes, i)
+            - log_scaled_curvature_at_start(sub, known, nodes, sub.next(i));
     }
     values
 }
 
-/// log (2/3 kappa |e_i|^3) at the end of section `i`; NaN if the polygon has an inflection.
-fn log_curvature_at_end(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> f64 {
+/// Returns log (2/3 kappa |e_i|^3) at the end of section `i`; NaN if the polygon has an inflection.
+fn log_scaled_curvature_at_end(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> f64 {
     let [lambda, mu] = nodes[i].handles;
     let (before, beta) = (beta_before(sub, nodes, i), beta_after(sub, nodes, i));
     libm::log((1.0 - lambda) * (1.0 - before) * area(sub, known, nodes, i) / (mu * beta).powi(2))
 }
 
 /// Returns the logarithm at the start of section `i`, with |e_(i-1)|^3.
-fn log_curvature_at_start(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> f64 {
+fn log_scaled_curvature_at_start(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> f64 {
     let [lambda, mu] = nodes[i].handles;
     let (before, beta) = (beta_before(sub, nodes, i), beta_after(sub, nodes, i));
     libm::log((1.0 - mu) * beta * area(sub, known, nodes, i) / (lambda * (1.0 - before)).powi(2))
