@@ -13,14 +13,14 @@ ROWS = [
     ("the loops only", "boundary/coherent-1M"),
     ("winged-edge table", "winged/coherent-1M"),
     ("strip between rims of 486 and 426 vertices", "join-strip/jagged-486x426"),
-    ("strip between rims of 10,000 and 8,000", "join-strip/10000x8000"),
-    ("the first of these by a blend", "rows/jagged"),
-    ("curves through 34,820 points, a point", "outline/composite"),
+    ("strip between rims of 10,000 and 8,000 vertices", "join-strip/10000x8000"),
+    ("blend between rims of 486 and 426 vertices", "rows/jagged"),
+    ("curves through 34,820 points, time per point", "outline/composite"),
     ("normals of a net of 10^6 nodes", "net/normals-1e6"),
     ("smooth surface through 10^6 nodes", "carcass/build-1e6"),
-    ("nearest point on it, from a start near it", "carcass/near-1e6"),
-    ("nearest point on it, from far", "carcass/far-1e6"),
-    ("an ordered plane section of it", "carcass/plane-1e6"),
+    ("nearest point on that surface, from a start near it", "carcass/near-1e6"),
+    ("nearest point on that surface, from far away", "carcass/far-1e6"),
+    ("plane section of that surface, with its points in order", "carcass/plane-1e6"),
     ("intersection of two tori", "carcass/ssi"),
 ]
 # The columns, and the names of their contenders in the cases.
@@ -64,9 +64,9 @@ def table(entries):
 
 def write_readme(entries, path=Path("README.md")):
     text = path.read_text()
-    head = (f"{time.strftime('%Y-%m-%d')}, two cores, medians. The other columns are peer's time / ours: above 1, gusset is faster. Both are timed in turn in\n"
-            "one process on the same arrays, C++ and Python peers in processes of their own, where our own time differs too. VTK's strip is not\n"
-            "closed.\n")
+    head = (f"The times are medians, measured on two cores on {time.strftime('%Y-%m-%d')}. The first column is our time. The others are the peer's\n"
+            "time divided by ours: above 1, gusset is faster. We time gusset and a peer in turn, in one process, on the same arrays. C++ and\n"
+            "Python peers have processes of their own. Our own time differs in those processes too. VTK's strip does not close into a ring.\n")
     begin, end = map(re.escape, MARKS)
     new, count = re.subn(f"(?<={begin}).*?(?={end})", lambda _: f"{head}\n{table(entries)}\n", text, flags=re.DOTALL)
     if count != 1:
