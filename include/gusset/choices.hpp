@@ -481,7 +481,7 @@ enum class NetFaces : uint32_t {
     triangles_fixed = GUSSET_NET_TRIANGLES_FIXED
 };
 
-/// Cells of a grid in a mesh. See ::gusset_grid_cells.
+/// Faces by which the given mesh represents each cell of the grid. See ::gusset_grid_cells.
 enum class GridCells : uint32_t { quads = GUSSET_GRID_QUADS, triangles = GUSSET_GRID_TRIANGLES };
 
 /// Direction within a net. See ::gusset_direction.

@@ -538,9 +538,9 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_transform(const struct gusse
 /// Kind of a deformation field. It gives the meaning of values.
 /// - t is the strength: 0 changes nothing, 1 applies the whole map.
 /// - w is the coordinate on axis; u and v are the next two in the cycle x, y, z.
-/// - "Straight": each point moves by t times its displacement.
+/// - "Linear in t": each point moves by t times its displacement.
 typedef uint32_t gusset_field_kind;
-/// Affine map, straight: three rows of four numbers. It never changes the reversed flag of the net.
+/// Affine map, linear in t: three rows of four numbers. It never changes the reversed flag of the net.
 #define GUSSET_FIELD_AFFINE 1
 /// Right-handed rotation about axis by the angle t values[0] (w - values[1]).
 #define GUSSET_FIELD_TWIST 2
@@ -551,7 +551,7 @@ typedef uint32_t gusset_field_kind;
 #define GUSSET_FIELD_BEND 4
 /// Adds t values[0] times the coordinate on other_axis to w.
 #define GUSSET_FIELD_SHEAR 5
-/// Central projection onto a sphere, straight: centre values[0..2], radius values[3] > 0. Undefined at the centre.
+/// Central projection onto a sphere, linear in t: centre values[0..2], radius values[3] > 0. Undefined at the centre.
 #define GUSSET_FIELD_SPHERIFY 6
 /// Rolls space around a cylinder of radius r = values[0] > 0. Then u and v become (r + v) sin(u / r) and (r + v) cos(u
 /// / r). For t < 1, the curvature is t / r. Lengths in the sheet v = 0 are kept.
@@ -561,15 +561,16 @@ typedef uint32_t gusset_field_kind;
 /// - t up to 1/2: a sheet rolls into a straight tube of curvature 2 t / r, and keeps lengths.
 /// - t above 1/2: the tube bends to curvature (2 t - 1) / R, and its circles keep their lengths.
 #define GUSSET_FIELD_TORUS_WRAP 8
-/// Free-form deformation, straight, of the box from values[0..2] to values[3..5]; points outside stay. The box has a
-/// uniform grid of control points, 2 to 32 along each axis. The displacement of each is in offsets; x varies fastest,
-/// then y.
+/// Free-form deformation of the box from values[0..2] to values[3..5] by a tensor product of Bernstein polynomials.
+/// Points outside the box stay. The box has a uniform grid of control points, 2 to 32 along each axis. offsets has the
+/// displacement of each control point; x varies fastest, then y. At strength t, each point moves by t times its
+/// displacement.
 #define GUSSET_FIELD_LATTICE 9
-/// Projective map, straight: four rows of four numbers. Undefined where the fourth homogeneous coordinate becomes 0.
+/// Projective map by a 4 x 4 matrix, row by row; linear in t. Undefined where the fourth homogeneous coordinate is 0.
 #define GUSSET_FIELD_PROJECTION 10
-/// Parallel projection, straight: onto the plane through values[0..2] with normal values[3..5], along values[6..8].
+/// Parallel projection, linear in t: onto the plane through values[0..2] with normal values[3..5], along values[6..8].
 #define GUSSET_FIELD_PARALLEL 11
-/// Central projection from the eye values[0..2], straight: onto the plane through values[3..5] with normal
+/// Central projection from the eye values[0..2], linear in t: onto the plane through values[3..5] with normal
 /// values[6..8]. Undefined in the parallel plane through the eye.
 #define GUSSET_FIELD_PERSPECTIVE 12
 /// Rolls space into a cone about axis. The circle w = 0 has radius r = values[0] > 0. The coordinates u, v, w become
@@ -785,9 +786,9 @@ typedef struct gusset_heights {
     gusset_scalar scalar;
 } gusset_heights;
 
-/// Cells of a grid in a mesh.
+/// Faces by which the given mesh represents each cell of the grid.
 typedef uint32_t gusset_grid_cells;
-/// Quads, and triangles at poles.
+/// One quad for each cell; a triangle beside a pole.
 #define GUSSET_GRID_QUADS 0
 /// Two triangles for each cell.
 #define GUSSET_GRID_TRIANGLES 1
@@ -1151,7 +1152,8 @@ typedef struct gusset_net_analysis_view {
     const double *determinants;
     /// (rows - 1) * (columns - 1).
     size_t cell_count;
-    /// Links that became a point and are not glued; see links of gusset_glue_options.
+    /// Links that the deformation contracted to a point although the net does not glue their ends. To glue them, pass
+    /// them as links of gusset_glue_options.
     const uint32_t *contracted;
     /// For each contracted link, the local gluing of its first node once all are contracted: 0 to 17.
     const uint32_t *stars;

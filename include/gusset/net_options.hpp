@@ -45,7 +45,7 @@ struct NetMeshOptions {
 
 /// Options of gusset_net_from_mesh_create. See ::gusset_net_grid_options.
 struct NetGridOptions {
-    /// Cells of a grid in a mesh.
+    /// Faces by which the given mesh represents each cell of the grid.
     GridCells cells = GridCells::quads;
     /// Face of the component. A value sets has_face of C to 1; empty: 0.
     std::optional<uint32_t> face;

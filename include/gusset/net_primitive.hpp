@@ -54,7 +54,7 @@ public:
         primitive.given_.minor_radius = tube_radius;
         return primitive;
     }
-    /// `cells`: their numbers along x, y and z; the numbers of rows and columns follow.
+    /// Makes a box. `cells` has the numbers of cells along x, y and z. They determine the numbers of rows and columns.
     static Primitive box(const Point3 &size, const std::array<uint32_t, 3> &cells, BoxKind kind = BoxKind::slit) {
         Primitive primitive = Primitive(GUSSET_NET_BOX).sized(size);
         std::memcpy(primitive.given_.cells, cells.data(), sizeof primitive.given_.cells);

@@ -111,7 +111,8 @@ typedef struct gusset_reference_task {
     uint32_t by_rings;
     /// 1: visits nodes row by row, as Leus does; 0: distant nodes first.
     uint32_t by_rows;
-    /// 0: removes lines of cells at an edge that an excluded block covers from side to side; 1: keeps them.
+    /// For rows and columns of cells at an edge that an excluded block covers completely. 0: removes them, which leaves
+    /// a smaller surface; 1: keeps them.
     uint32_t keep_lines;
     /// For GUSSET_REFERENCE_CURVE.
     const struct gusset_curve *curve;

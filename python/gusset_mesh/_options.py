@@ -351,7 +351,7 @@ class NetMeshOptions(TypedDict, total=False):
 class NetGridOptions(TypedDict, total=False):
     """Fields of ``gusset_net_grid_options``; what is not given is as by default."""
 
-    #: Cells of a grid in a mesh.
+    #: Faces by which the given mesh represents each cell of the grid.
     cells: choices.GridCells
     #: 1: only the component of face must be a grid; 0: the whole mesh.
     has_face: bool

@@ -2398,7 +2398,9 @@ class NetAnalysisView(Record):
 
     @property
     def contracted(self) -> NDArray[np.uint32]:
-        """Links that became a point and are not glued; see links of gusset_glue_options."""
+        """Links that the deformation contracted to a point although the net does not glue their ends. To glue them,
+        pass them as links of gusset_glue_options.
+        """
         return self._array('contracted', self._struct.contracted_count)
 
     @property

@@ -230,7 +230,7 @@ NetMeasures = Literal['extent', 'bilinear', 'body']
 #: Faces of a net's mesh.
 NetFaces = Literal['quads', 'triangles_shorter', 'triangles_fixed']
 
-#: Cells of a grid in a mesh.
+#: Faces by which the given mesh represents each cell of the grid.
 GridCells = Literal['quads', 'triangles']
 
 #: Direction within a net.

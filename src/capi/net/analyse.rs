@@ -48,7 +48,8 @@ pub struct gusset_net_analysis_view {
     pub determinants: *const f64,
     /// (rows - 1) * (columns - 1).
     pub cell_count: usize,
-    /// Links that became a point and are not glued; see links of gusset_glue_options.
+    /// Links that the deformation contracted to a point although the net does not glue their ends.
+    /// To glue them, pass them as links of gusset_glue_options.
     /// @shape contracted_count
     pub contracted: *const u32,
     /// For each contracted link, the local gluing of its first node once all are contracted: 0 to

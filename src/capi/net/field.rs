@@ -16,9 +16,10 @@ use gusset_base::alloc;
 ///
 /// - t is the strength: 0 changes nothing, 1 applies the whole map.
 /// - w is the coordinate on axis; u and v are the next two in the cycle x, y, z.
-/// - "Straight": each point moves by t times its displacement.
+/// - "Linear in t": each point moves by t times its displacement.
 pub type gusset_field_kind = u32;
-/// Affine map, straight: three rows of four numbers. It never changes the reversed flag of the net.
+/// Affine map, linear in t: three rows of four numbers. It never changes the reversed flag of the
+/// net.
 pub const GUSSET_FIELD_AFFINE: gusset_field_kind = 1;
 /// Right-handed rotation about axis by the angle t values[0] (w - values[1]).
 pub const GUSSET_FIELD_TWIST: gusset_field_kind = 2;
@@ -29,8 +30,8 @@ pub const GUSSET_FIELD_TAPER: gusset_field_kind = 3;
 pub const GUSSET_FIELD_BEND: gusset_field_kind = 4;
 /// Adds t values[0] times the coordinate on other_axis to w.
 pub const GUSSET_FIELD_SHEAR: gusset_field_kind = 5;
-/// Central projection onto a sphere, straight: centre values[0..2], radius values[3] > 0. Undefined
-/// at the centre.
+/// Central projection onto a sphere, linear in t: centre values[0..2], radius values[3] > 0.
+/// Undefined at the centre.
 pub const GUSSET_FIELD_SPHERIFY: gusset_field_kind = 6;
 /// Rolls space around a cylinder of radius r = values[0] > 0. Then u and v become (r + v) sin(u /
 /// r) and (r + v) cos(u / r). For t < 1, the curvature is t / r. Lengths in the sheet v = 0 are
@@ -43,18 +44,19 @@ pub const GUSSET_FIELD_CYLINDER_WRAP: gusset_field_kind = 7;
 /// - t up to 1/2: a sheet rolls into a straight tube of curvature 2 t / r, and keeps lengths.
 /// - t above 1/2: the tube bends to curvature (2 t - 1) / R, and its circles keep their lengths.
 pub const GUSSET_FIELD_TORUS_WRAP: gusset_field_kind = 8;
-/// Free-form deformation, straight, of the box from values[0..2] to values[3..5]; points outside
-/// stay. The box has a uniform grid of control points, 2 to 32 along each axis. The displacement of
-/// each is in offsets; x varies fastest, then y.
+/// Free-form deformation of the box from values[0..2] to values[3..5] by a tensor product of
+/// Bernstein polynomials. Points outside the box stay. The box has a uniform grid of control
+/// points, 2 to 32 along each axis. offsets has the displacement of each control point; x varies
+/// fastest, then y. At strength t, each point moves by t times its displacement.
 pub const GUSSET_FIELD_LATTICE: gusset_field_kind = 9;
-/// Projective map, straight: four rows of four numbers. Undefined where the fourth homogeneous
-/// coordinate becomes 0.
+/// Projective map by a 4 x 4 matrix, row by row; linear in t. Undefined where the fourth
+/// homogeneous coordinate is 0.
 pub const GUSSET_FIELD_PROJECTION: gusset_field_kind = 10;
-/// Parallel projection, straight: onto the plane through values[0..2] with normal values[3..5],
+/// Parallel projection, linear in t: onto the plane through values[0..2] with normal values[3..5],
 /// along values[6..8].
 pub const GUSSET_FIELD_PARALLEL: gusset_field_kind = 11;
-/// Central projection from the eye values[0..2], straight: onto the plane through values[3..5] with
-/// normal values[6..8]. Undefined in the parallel plane through the eye.
+/// Central projection from the eye values[0..2], linear in t: onto the plane through values[3..5]
+/// with normal values[6..8]. Undefined in the parallel plane through the eye.
 pub const GUSSET_FIELD_PERSPECTIVE: gusset_field_kind = 12;
 /// Rolls space into a cone about axis. The circle w = 0 has radius r = values[0] > 0. The
 /// coordinates u, v, w become the arc of this circle, the height above the cone, and the length

@@ -106,9 +106,9 @@ pub struct gusset_heights {
     pub scalar: gusset_scalar,
 }
 
-/// Cells of a grid in a mesh.
+/// Faces by which the given mesh represents each cell of the grid.
 pub type gusset_grid_cells = u32;
-/// Quads, and triangles at poles.
+/// One quad for each cell; a triangle beside a pole.
 pub const GUSSET_GRID_QUADS: gusset_grid_cells = 0;
 /// Two triangles for each cell.
 pub const GUSSET_GRID_TRIANGLES: gusset_grid_cells = 1;
@@ -119,7 +119,7 @@ pub const GUSSET_GRID_TRIANGLES: gusset_grid_cells = 1;
 pub struct gusset_net_grid_options {
     /// sizeof(gusset_net_grid_options).
     pub struct_size: usize,
-    /// Cells of a grid in a mesh.
+    /// Faces by which the given mesh represents each cell of the grid.
     pub cells: gusset_grid_cells,
     /// 1: only the component of face must be a grid; 0: the whole mesh.
     /// @when cells GUSSET_GRID_QUADS

@@ -71,8 +71,8 @@ pub struct gusset_reference_task {
     pub by_rings: u32,
     /// 1: visits nodes row by row, as Leus does; 0: distant nodes first.
     pub by_rows: u32,
-    /// 0: removes lines of cells at an edge that an excluded block covers from side to side; 1:
-    /// keeps them.
+    /// For rows and columns of cells at an edge that an excluded block covers completely. 0: removes
+    /// them, which leaves a smaller surface; 1: keeps them.
     pub keep_lines: u32,
     /// For GUSSET_REFERENCE_CURVE.
     pub curve: *const gusset_curve,
