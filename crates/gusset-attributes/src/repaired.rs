@@ -54,7 +54,7 @@ impl Origins {
         Origins::new(&sew.mesh, kept, new, &job.part(0.7, 1.0))
     }
 
-    /// The origins of an assembly.
+    /// Returns the sources of each vertex, corner and face of an assembly in the input pieces.
     ///
     /// # Errors
     /// The errors of [`Origins::from_stitch`].

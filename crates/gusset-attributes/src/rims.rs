@@ -29,7 +29,8 @@ pub(super) struct Rims {
     pub(super) bases: Vec<u32>,
     /// Both ends of all edges, sorted by vertex and edge.
     pub(super) ends: Vec<RimEnd>,
-    /// For other old vertices of new faces, sorted by vertex: a corner of an old face.
+    /// For each old vertex of a new face that is not on a rim edge: the vertex, and a corner of an
+    /// old face there. Sorted by vertex.
     loose: Vec<(u32, u32)>,
 }
 

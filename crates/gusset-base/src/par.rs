@@ -68,10 +68,10 @@ pub fn map_jobs<T: Send, R: Send>(
     let queue = Mutex::new(items.enumerate());
     // Allocates all results before the first item, so that nothing fails after the last.
     let (results, mut all) = (empty(count)?, alloc::with_capacity(count)?);
-    let do_next = |job_of: JobOf<'_>| -> Result<Step> {
-        let Some((i, item)) = lock(&queue).next() else { return Ok(Step::NothingLeft) };
+    let do_next = |job_of: JobOf<'_>| -> Result<ItemOutcome> {
+        let Some((i, item)) = lock(&queue).next() else { return Ok(ItemOutcome::NothingLeft) };
         let result = work(item, &job_of(i)?);
-        let step = if result.is_err() { Step::Failed } else { Step::Done };
+        let step = if result.is_err() { ItemOutcome::Failed } else { ItemOutcome::Succeeded };
         lock(&results)[i] = Some(result);
         Ok(step)
     };
@@ -86,11 +86,11 @@ pub fn map_jobs<T: Send, R: Send>(
 type JobOf<'a> = &'a dyn Fn(usize) -> Result<Job<'a>>;
 
 /// The outcome of taking the next item.
-enum Step {
+enum ItemOutcome {
     /// No items are left.
     NothingLeft,
     /// The item succeeded.
-    Done,
+    Succeeded,
     /// The item failed.
     Failed,
 }
@@ -102,7 +102,7 @@ fn share_jobs(
     job: &Job<'_>,
     stage: &'static str,
     count: usize,
-    do_next: &(dyn Fn(JobOf<'_>) -> Result<Step> + Sync),
+    do_next: &(dyn Fn(JobOf<'_>) -> Result<ItemOutcome> + Sync),
 ) -> Result<()> {
     let (busy, stopped) = (Busy::default(), AtomicBool::new(false));
     let take_next = |job_of: JobOf<'_>| -> Result<bool> {
@@ -110,8 +110,8 @@ fn share_jobs(
             return Ok(false);
         }
         let step = do_next(job_of)?;
-        stopped.fetch_or(matches!(step, Step::Failed), Ordering::Relaxed);
-        Ok(matches!(step, Step::Done))
+        stopped.fetch_or(matches!(step, ItemOutcome::Failed), Ordering::Relaxed);
+        Ok(matches!(step, ItemOutcome::Succeeded))
     };
     let help = || {
         let _one = busy.begin();

@@ -40,8 +40,8 @@ pub struct KdTree<'a> {
     /// The smallest index in the range whose middle is at this position. Empty for a tree without
     /// groups.
     least: Vec<u32>,
-    /// The bounding box of the range whose middle is at [`MIN_MIDDLE_DISTANCE`] times this
-    /// position, or up to 4 beyond. Empty for a tree without boxes.
+    /// The bounding boxes of the inner ranges. The box of a range with middle index m is at m /
+    /// [`MIN_MIDDLE_DISTANCE`], rounded down. Empty for a tree without boxes.
     boxes: Vec<Aabb>,
     whole: Aabb,
 }

@@ -122,8 +122,8 @@ pub(super) fn column_counts(below: &Buckets<(u32, f64)>, parent: &[u32], job: &J
 
 /// The subtrees of all rows. Their columns arrive in postorder.
 struct RowSubtrees {
-    /// For each row, one more than the largest position of a first descendant among its columns so
-    /// far.
+    /// For each row, 1 plus the largest postorder number of a first descendant among the row's
+    /// columns so far; 0 before the first column.
     latest_first: Vec<u32>,
     latest_leaf: Vec<u32>,
     /// A link towards the root of the visited columns.

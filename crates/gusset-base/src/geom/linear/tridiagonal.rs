@@ -80,8 +80,8 @@ impl Front {
         pivot
     }
 
-    /// Returns true once the last unknown's coefficients are negligible.
-    fn is_free(&self) -> bool {
+    /// Returns true if the coefficients of the last unknown are negligible.
+    fn is_decoupled_from_last(&self) -> bool {
         self.across.abs() <= MAX_NEGLIGIBLE && self.far.abs() <= MAX_NEGLIGIBLE
     }
 }
@@ -119,7 +119,7 @@ pub fn solve_cyclic(
         (unknowns[0], upper[0], across[0]) = (first_end.known, first_end.ratio, first_end.across);
     }
     let mut carried = 0;
-    while carried < pairs && !(first_end.is_free() && last_end.is_free()) {
+    while carried < pairs && !(first_end.is_decoupled_from_last() && last_end.is_decoupled_from_last()) {
         let (i, j) = (alone + carried, n - 2 - carried);
         let pivots = [first_end.carry(forth(i), known(i), &mut last), last_end.carry(back(j), known(j), &mut last)];
         least = least.min(pivots[0].abs()).min(pivots[1].abs());
