@@ -1,10 +1,11 @@
 //! The sections of all points independently: the paper's methods before sections are joined. O(n).
 
 use super::identify_options::{Options, Solver};
+use super::input_points::Points;
 use super::method::{
     Method, Section, power, section_at, section_by_end_tangent, section_by_start_tangent, section_by_tangent,
 };
-use super::outlines::{Constraint, Outlines, Points};
+use super::outlines::{Constraint, Outlines};
 use super::report::PointStatus;
 use super::stepping::step_section;
 use crate::curve::check_finite;

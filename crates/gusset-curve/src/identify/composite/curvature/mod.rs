@@ -43,7 +43,7 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use newton::{LeastSteps, POINTS_PER_REPORT, STAGE};
 use std::ops::Range;
-use system::{EQUATIONS, Known, Node, Tie, evaluate, legs};
+use system::{EQUATIONS, Known, LockEquation, Node, evaluate, legs};
 
 /// The handles of a quadratic.
 const QUADRATIC: [f64; 2] = [2.0 / 3.0; 2];
@@ -144,15 +144,15 @@ impl CurvatureJoints {
         let known = (0..n).map(|i| {
             let inner = sub.sections().contains(&i);
             let fallen = by_parameter || !inner || solution.fell_back[i] || solution.missed_guide[i];
-            let tie = match (sub.options.lock, plane) {
-                _ if fallen => Tie::Parameter,
-                (Lock::SelfConsistent, _) => Tie::Triangle,
-                (Lock::DataGuide, Some(normal)) => Tie::Guide(normal.cross(solution.guides[i])),
-                _ => Tie::Parameter,
+            let lock_equation = match (sub.options.lock, plane) {
+                _ if fallen => LockEquation::GivenParameter,
+                (Lock::SelfConsistent, _) => LockEquation::TriangleParameter,
+                (Lock::DataGuide, Some(normal)) => LockEquation::OnGuide(normal.cross(solution.guides[i])),
+                _ => LockEquation::GivenParameter,
             };
             let [a, p, c] = sub.triple(i);
             let spacing = if inner { 0.5 * (a.distance(p) + p.distance(c)) } else { sub.size };
-            Known { tie, spacing, normal: DVec3::ZERO, curved: false, fixed: !inner, free: [false; 3] }
+            Known { lock_equation, spacing, normal: DVec3::ZERO, curved: false, fixed: !inner, free: [false; 3] }
         });
         self.known.clear();
         alloc::extend(&mut self.known, known)?;
@@ -212,7 +212,7 @@ impl CurvatureJoints {
     fn flatten_all(&mut self, sub: &Subcurve<'_>, solution: &mut Solution) {
         for i in 0..self.nodes.len() {
             self.nodes[i].t = solution.data_t[i];
-            self.known[i].tie = Tie::Parameter;
+            self.known[i].lock_equation = LockEquation::GivenParameter;
             if self.known[i].free[0] {
                 self.nodes[i].beta = 0.5;
             }
@@ -333,8 +333,8 @@ impl CurvatureJoints {
                 continue;
             }
             let [_, lock, gap] = self.residuals(sub, i);
-            if self.known[i].tie != Tie::Parameter && lock >= gap {
-                self.known[i].tie = Tie::Parameter;
+            if self.known[i].lock_equation != LockEquation::GivenParameter && lock >= gap {
+                self.known[i].lock_equation = LockEquation::GivenParameter;
                 self.nodes[i].t = solution.data_t[i];
                 out.results[i].flag(PointStatus::FellBack);
                 continue;
@@ -374,7 +374,8 @@ impl CurvatureJoints {
     }
 }
 
-/// Returns the relative rounding error of E_i that the control points cause.
+/// Returns the relative rounding error of the doubled triangle area E_i = |e_(i-1) x e_i| that the
+/// rounding of the control points causes.
 fn area_error(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> f64 {
     let [before, after] = legs(sub, nodes, i);
     f64::EPSILON * sub.size * (before.length() + after.length()) / before.cross(after).length()

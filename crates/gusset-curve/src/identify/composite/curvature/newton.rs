@@ -14,7 +14,7 @@
 //! together with their neighbours. One point in trouble thus does not slow down the others. O(n)
 //! for each step, in time and memory: about 1,100 bytes a point.
 
-use super::system::{EQUATIONS, Known, Node, Rows, SPAN, Tie, UNKNOWNS, differentiate, evaluate};
+use super::system::{EQUATIONS, Known, LockEquation, Node, Rows, SPAN, UNKNOWNS, differentiate, evaluate};
 use crate::identify::subcurve::Subcurve;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -220,7 +220,7 @@ impl LeastSteps {
 /// Returns the units of the unknowns of a point; 0 for fixed ones.
 fn units(known: &Known, node: &Node) -> [f64; UNKNOWNS] {
     let control = if known.fixed { 0.0 } else { CONTROL_UNIT * known.spacing };
-    let t = if known.tie == Tie::Parameter { 0.0 } else { 1.0 };
+    let t = if known.lock_equation == LockEquation::GivenParameter { 0.0 } else { 1.0 };
     let [beta, lambda, mu] = known.free;
     let near_limit = (2.0 * node.beta - 1.0) * (MAX_BETA_ODDS + 1.0) / (MAX_BETA_ODDS - 1.0);
     let beta = if beta { (1.0 - near_limit * near_limit).max(1e-3) } else { 0.0 };

@@ -42,21 +42,21 @@ pub(super) struct Node {
     pub(super) handles: [f64; 2],
 }
 
-/// The equation of the lock at a point.
+/// The equation of a point that determines its parameter t or its control point.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Tie {
+pub(super) enum LockEquation {
     /// t is given.
-    Parameter,
+    GivenParameter,
     /// t is the method's parameter on the section's own triangle.
-    Triangle,
+    TriangleParameter,
     /// The control point is on the guide with this normal, of length 1.
-    Guide(DVec3),
+    OnGuide(DVec3),
 }
 
 /// The given quantities of a point.
 #[derive(Clone, Copy)]
 pub(super) struct Known {
-    pub(super) tie: Tie,
+    pub(super) lock_equation: LockEquation,
     /// The unit of length: the distance between its neighbours.
     pub(super) spacing: f64,
     /// The unit normal about which the polygon turns at its control point.
@@ -95,10 +95,12 @@ pub(super) fn evaluate(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: u
         let section = Section::new(sub, nodes, i);
         let miss = section.miss(&nodes[i]) / known[i].spacing;
         values[..3].copy_from_slice(&miss.to_array());
-        values[3] = match known[i].tie {
-            Tie::Parameter => 0.0,
-            Tie::Triangle => nodes[i].t - self_consistent::parameter(sub.options, section.u, section.v).0,
-            Tie::Guide(across) => across.dot(section.b) / known[i].spacing,
+        values[3] = match known[i].lock_equation {
+            LockEquation::GivenParameter => 0.0,
+            LockEquation::TriangleParameter => {
+                nodes[i].t - self_consistent::parameter(sub.options, section.u, section.v).0
+            }
+            LockEquation::OnGuide(across) => across.dot(section.b) / known[i].spacing,
         };
     }
     if known[i].curved {
@@ -192,10 +194,10 @@ fn differentiate_section(sub: &Subcurve<'_>, known: &Known, nodes: &[Node], i: u
     enter(1, 4, legs[1] * (shares[2] * slope(betas[1])));
     enter(1, 5, (b - u) * (3.0 * s * s * t * slope(lambda)));
     enter(1, 6, (b - v) * (3.0 * s * t * t * slope(mu)));
-    match known.tie {
-        Tie::Parameter => {}
-        Tie::Guide(across) => rows[3][1][..3].copy_from_slice(&(across * unit).to_array()),
-        Tie::Triangle => {
+    match known.lock_equation {
+        LockEquation::GivenParameter => {}
+        LockEquation::OnGuide(across) => rows[3][1][..3].copy_from_slice(&(across * unit).to_array()),
+        LockEquation::TriangleParameter => {
             let (_, [by_u, by_v]) = self_consistent::parameter(sub.options, u, v);
             let controls = [by_u * (1.0 - betas[0]), by_u * betas[0] + by_v * (1.0 - betas[1]), by_v * betas[1]];
             for (row, by) in rows[3].iter_mut().zip(controls) {
