@@ -17,7 +17,8 @@
 
 use super::axis::{Axis, TAPS, Weights};
 use super::nodes::Nodes;
-use super::sweep::{Sums, Sweep};
+use super::sweep::Sweep;
+use super::widen_kernel::Sums;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;

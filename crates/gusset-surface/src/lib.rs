@@ -53,6 +53,7 @@ mod subdivision;
 pub mod surface_intersection;
 mod sweep;
 mod tangents;
+mod widen_kernel;
 
 pub use axis::Scheme;
 pub use curve::curve_through;

@@ -6,15 +6,13 @@
 use super::axis::{Axis, TAPS, Weights};
 use super::cells::{BLOCK, block_range};
 use super::nodes::Nodes;
+use super::widen_kernel::{Sums, WidenKernel, widen};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::aabb::Aabb;
-use gusset_base::simd::{self, Kernel};
+use gusset_base::simd;
 use std::ops::Range;
-
-/// Weights of `K` sums.
-pub(super) type Sums<const K: usize> = [[f64; TAPS]; K];
 
 /// A grid, and the sums to bound in an interval of given weights.
 pub(super) struct Sweep<'a, const K: usize> {
@@ -22,42 +20,6 @@ pub(super) struct Sweep<'a, const K: usize> {
     pub(super) u: &'a Axis,
     pub(super) v: &'a Axis,
     pub(super) sums: fn(&Weights) -> Sums<K>,
-}
-
-/// Widens ranges to include sums of six lines, coordinate by coordinate.
-struct Widen<'a, const K: usize> {
-    sums: Sums<K>,
-    lines: [&'a [f64]; TAPS],
-    low: &'a mut [f64],
-    high: &'a mut [f64],
-}
-
-impl<const K: usize> Kernel for Widen<'_, K> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run(self) {
-        let Widen { sums, lines, low, high } = self;
-        widen(&sums, lines, low, high);
-    }
-}
-
-#[inline(always)]
-fn widen<const K: usize>(sums: &Sums<K>, lines: [&[f64]; TAPS], low: &mut [f64], high: &mut [f64]) {
-    let count = low.len();
-    let high = &mut high[..count];
-    let [a, b, c, d, e, f] = lines.map(|line| &line[..count]);
-    for k in 0..count {
-        let taps = [a[k], b[k], c[k], d[k], e[k], f[k]];
-        let (mut least, mut most) = (low[k], high[k]);
-        for w in sums {
-            let x = ((w[0] * taps[0] + w[1] * taps[1]) + (w[2] * taps[2] + w[3] * taps[3]))
-                + (w[4] * taps[4] + w[5] * taps[5]);
-            least = if x < least { x } else { least };
-            most = if x > most { x } else { most };
-        }
-        (low[k], high[k]) = (least, most);
-    }
 }
 
 /// Ranges of coordinates along a row, one for each cell or each column.
@@ -162,7 +124,7 @@ impl<const K: usize> Sweep<'_, K> {
             let lines = std::array::from_fn(|k| &line[3 * k..3 * k + count]);
             let low = &mut ranges.low[3 * inner.start..3 * inner.end];
             let high = &mut ranges.high[3 * inner.start..3 * inner.end];
-            simd::run(Widen { sums: (self.sums)(self.v.taps(inner.start).1), lines, low, high });
+            simd::run(WidenKernel { sums: (self.sums)(self.v.taps(inner.start).1), lines, low, high });
         }
     }
 
@@ -173,7 +135,7 @@ impl<const K: usize> Sweep<'_, K> {
         let packed = rows.map(|row| self.nodes.packed_row(row));
         if let [Some(a), Some(b), Some(c), Some(d), Some(e), Some(f)] = packed {
             let (low, high) = (&mut ranges.low[..], &mut ranges.high[..]);
-            simd::run(Widen { sums, lines: [a, b, c, d, e, f], low, high });
+            simd::run(WidenKernel { sums, lines: [a, b, c, d, e, f], low, high });
             return;
         }
         for j in 0..self.nodes.columns() {

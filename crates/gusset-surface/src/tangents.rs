@@ -11,7 +11,8 @@
 use super::axis::{Axis, TAPS, Weights};
 use super::displacements::enlarged_box;
 use super::nodes::Nodes;
-use super::sweep::{Sums, Sweep};
+use super::sweep::Sweep;
+use super::widen_kernel::Sums;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::aabb::Aabb;

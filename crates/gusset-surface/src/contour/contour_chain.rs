@@ -48,16 +48,16 @@ impl ContourPaths {
 const NONE: u32 = u32::MAX;
 
 /// A hash table of arcs by the keys of the marks where they begin, with open addressing.
-struct Table<'a> {
+struct ArcsByStart<'a> {
     arcs: &'a [ContourArc],
     slots: Vec<u32>,
     shift: u32,
 }
 
-impl<'a> Table<'a> {
+impl<'a> ArcsByStart<'a> {
     fn new(arcs: &'a [ContourArc]) -> Result<Self> {
         let bits = usize::BITS - (2 * arcs.len()).leading_zeros();
-        let mut table = Table { arcs, slots: alloc::filled(NONE, 1 << bits)?, shift: u64::BITS - bits };
+        let mut table = ArcsByStart { arcs, slots: alloc::filled(NONE, 1 << bits)?, shift: u64::BITS - bits };
         for (k, arc) in arcs.iter().enumerate() {
             let at = table.slot(arc.keys[0]);
             table.slots[at] = k as u32;
@@ -113,7 +113,7 @@ fn sort_by_level(arcs: &mut Vec<ContourArc>) -> Result<()> {
 
 /// For each arc, the index of its successor or [`NONE`], and whether it has a predecessor.
 fn successors(arcs: &[ContourArc]) -> Result<(Vec<u32>, Vec<bool>)> {
-    let table = Table::new(arcs)?;
+    let table = ArcsByStart::new(arcs)?;
     let mut next = alloc::filled(NONE, arcs.len())?;
     let mut entered = alloc::filled(false, arcs.len())?;
     for (k, arc) in arcs.iter().enumerate() {

@@ -7,8 +7,9 @@
 use super::cell::{Keys, Link, Mark, SIDES, arcs, one_sign};
 use super::contour_lattice::ContourLattice;
 use super::contour_refinement::{is_straight, middle, refine, stays_near};
-use super::corner_crossing::{CornerCrossing, chord_root, crossing_by_corners, roots};
+use super::corner_crossing::{CornerCrossing, chord_root, crossing_by_corners};
 use super::side::{crossings, positive};
+use super::side_roots::roots;
 use super::source::{CellBase, Continuity, ContourSource, CornerTest};
 use crate::Patch;
 use crate::cells::Cells;

@@ -11,7 +11,6 @@
 
 use super::cell::{CORNERS, SIDES};
 use super::side::positive;
-use gusset_base::simd::{self, Kernel};
 
 /// How a level crosses a simple cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -74,70 +73,9 @@ pub(super) fn chord_root(corners: [f64; 4], side: usize) -> f64 {
     (start / (start - end)).clamp(0.0, 1.0)
 }
 
-/// Smallest rise of a crossed side for [`roots`], in units of its slack.
+/// Smallest rise of a crossed side for `side_roots`, in units of its slack.
 ///
 /// If the rise is d >= 24 P, the slope is between 3/4 d and 5/4 d, and the second derivative at
 /// most 24 P <= d. The chord's root is within P / (3/4 d) <= 1/18 of the polynomial's root. A
 /// Newton step reduces an error e to at most 2/3 e^2: 3e-3, 3e-6, 5e-12, 2e-23.
 const MIN_RISE_SLACKS: f64 = 24.0;
-/// Number of Newton steps.
-const NEWTON_STEPS: usize = 4;
-
-/// Number of sides whose roots are computed together.
-pub(super) const LANES: usize = 8;
-
-/// Computes the roots of cubic polynomials along sides that [`crossing_by_corners`] has proven to
-/// be crossed.
-pub(super) fn roots(sides: &[[f64; 4]], found: &mut Vec<f64>) {
-    simd::run(RootKernel { sides, found });
-}
-
-struct RootKernel<'a> {
-    sides: &'a [[f64; 4]],
-    found: &'a mut Vec<f64>,
-}
-
-impl Kernel for RootKernel<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run(self) {
-        for sides in self.sides.chunks(LANES) {
-            let mut c = [[0.0; LANES]; 4];
-            for lane in 0..LANES {
-                let side = &sides[lane.min(sides.len() - 1)];
-                (0..4).for_each(|k| c[k][lane] = side[k]);
-            }
-            let mut t = [0.0; LANES];
-            newton(&c, &mut t);
-            self.found.extend_from_slice(&t[..sides.len()]);
-        }
-    }
-}
-
-#[inline(always)]
-fn newton(c: &[[f64; LANES]; 4], t: &mut [f64; LANES]) {
-    let clamped = |x: f64| {
-        let x = if x > 0.0 { x } else { 0.0 };
-        if x < 1.0 { x } else { 1.0 }
-    };
-    for lane in 0..LANES {
-        t[lane] = clamped(c[0][lane] / (c[0][lane] - c[3][lane]));
-    }
-    for _ in 0..NEWTON_STEPS {
-        for lane in 0..LANES {
-            let [a, b, d, e] = [c[0][lane], c[1][lane], c[2][lane], c[3][lane]];
-            let at = t[lane];
-            // De Casteljau's algorithm.
-            let (ab, bd, de) = (a + at * (b - a), b + at * (d - b), d + at * (e - d));
-            let (low, high) = (ab + at * (bd - ab), bd + at * (de - bd));
-            let rise = high - low;
-            t[lane] = clamped(at - (low + at * rise) / (3.0 * rise));
-        }
-    }
-    for lane in 0..LANES {
-        // The value 0 at an end counts as positive, so the sign changes there.
-        let start = if c[0][lane] == 0.0 { 0.0 } else { t[lane] };
-        t[lane] = if c[3][lane] == 0.0 { 1.0 } else { start };
-    }
-}

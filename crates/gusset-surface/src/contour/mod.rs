@@ -8,8 +8,8 @@
 //!   polynomials may vanish, found by descent of the index.
 //! - `contour_search`: the search, block by block, cell by cell, level by level. `cell`: the arcs
 //!   of a cell, by subdivision with proofs; `side`: their marks on the sides, by Descartes' rule;
-//!   `corner_crossing`: arcs that follow from the corners alone. `contour_refinement`: points
-//!   between the marks.
+//!   `corner_crossing`: arcs that follow from the corners alone; `side_roots`: their ends.
+//!   `contour_refinement`: points between the marks.
 //! - `contour_chain`: arcs linked to paths; `paths`: paths joined across sheets; `creases`: sides
 //!   at which normals jump. `contour_lattice`: indices of cells and sides. `point_spacing`: the
 //!   paper's approximation of a section.
@@ -37,6 +37,7 @@ mod point_spacing;
 mod projected_normals;
 mod sections;
 mod side;
+mod side_roots;
 mod source;
 
 pub use nearest::NearestAngle;

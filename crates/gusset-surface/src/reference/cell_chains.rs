@@ -74,7 +74,7 @@ pub fn integer_diameter(region: &CellMask, job: &Job<'_>) -> Result<Option<usize
     }
     let far = walk.order[count - 1];
     walk.find_chains(region, lattice.cell(far as usize), job, 0.0)?;
-    let mut longest = walk.max_steps();
+    let mut longest = walk.steps_to_farthest_cell();
     let middle = walk.cell_at_steps(longest / 2);
     walk.find_chains(region, middle, job, 0.0)?;
     let (steps, order) = (std::mem::take(&mut walk.steps), std::mem::take(&mut walk.order));
@@ -84,7 +84,7 @@ pub fn integer_diameter(region: &CellMask, job: &Job<'_>) -> Result<Option<usize
             break;
         }
         walk.find_chains(region, lattice.cell(cell as usize), job, tried as f64 / count as f64)?;
-        longest = longest.max(walk.max_steps());
+        longest = longest.max(walk.steps_to_farthest_cell());
     }
     Ok(Some(longest as usize + 1))
 }
@@ -155,8 +155,9 @@ impl Walk {
         Ok(())
     }
 
-    /// The steps to the farthest cell.
-    fn max_steps(&self) -> u32 {
+    /// Returns the number of steps from the start to the farthest cell of the region (the
+    /// eccentricity of the start).
+    fn steps_to_farthest_cell(&self) -> u32 {
         self.order.last().map_or(0, |&cell| self.steps[cell as usize])
     }
 

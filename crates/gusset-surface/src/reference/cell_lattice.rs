@@ -40,14 +40,15 @@ impl Span {
         (self.first..self.first + self.len).map(move |k| if k < self.count { k } else { k - self.count })
     }
 
-    /// The ranges before and after the seam of a closed direction.
-    pub(crate) fn parts(self) -> [std::ops::Range<usize>; 2] {
+    /// Returns the indices as two ranges: up to the seam of a closed direction, and after it. The
+    /// second range is empty if the span does not cross the seam.
+    pub(crate) fn ranges_around_seam(self) -> [std::ops::Range<usize>; 2] {
         let end = self.first + self.len;
         [self.first..end.min(self.count), 0..end.saturating_sub(self.count)]
     }
 
     pub(crate) fn contains(self, k: usize) -> bool {
-        self.parts().iter().any(|part| part.contains(&k))
+        self.ranges_around_seam().iter().any(|part| part.contains(&k))
     }
 
     /// True if the span contains all intervals of another one.

@@ -100,7 +100,7 @@ impl CellMask {
     pub(crate) fn clear(&mut self, [rows, columns]: [Span; 2]) {
         let width = self.lattice.cells[1];
         for i in rows.indices() {
-            for part in columns.parts() {
+            for part in columns.ranges_around_seam() {
                 self.clear_bits(i * width + part.start, i * width + part.end);
             }
         }

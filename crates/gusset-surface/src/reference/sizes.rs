@@ -110,8 +110,9 @@ impl Sizes {
         own.map(|cell| self.get(cell)).fold(0.0, f64::max)
     }
 
-    /// The bound of a cell region with the given integer diameter: I d, where d is the largest
-    /// bound of its cells (5).
+    /// Returns an upper bound of the diameter of a cell region, or of the angle between its
+    /// normals: the integer diameter times the largest bound of its cells. This is equation 5 of
+    /// the paper.
     ///
     /// # Errors
     /// [`Error::SidesDiffer`] if the region belongs to another sheet.
