@@ -105,7 +105,8 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
             && !self.hidden.contains(i, j)
     }
 
-    /// Returns the side of the folds that each cell is on.
+    /// Returns for each cell 1 if it is oriented like the majority of its component, or -1 if it is
+    /// folded over.
     fn partition(&self, job: &Job<'_>) -> Result<Vec<i8>> {
         let count = self.shape.cell_count();
         let cells = || (0..count as u32).map(|cell| self.shape.cell_place(cell));

@@ -46,7 +46,7 @@ pub(super) fn cook(effect: &Effect, suites: &Suites, instance: Handle, in_args: 
 }
 
 /// An input, with the data that it must own.
-enum Given<'a> {
+enum OwnedInput<'a> {
     Mesh(&'a HostMeshData<'a>, Polygons),
     Curves(Curves),
 }
@@ -70,13 +70,13 @@ fn run_filter(effect: &Effect, suites: &Suites, instance: Handle, time: f64) -> 
     }
     let given = alloc::try_collect(read.iter().map(|(kind, mesh)| {
         Ok::<_, Error>(match kind {
-            InputKind::Mesh => Given::Mesh(mesh, mesh.polygons()?),
-            InputKind::Curves => Given::Curves(mesh.curves()?),
+            InputKind::Mesh => OwnedInput::Mesh(mesh, mesh.polygons()?),
+            InputKind::Curves => OwnedInput::Curves(mesh.curves()?),
         })
     }))?;
     let inputs = alloc::try_collect(given.iter().map(|given| match given {
-        Given::Mesh(mesh, polygons) => mesh.mesh(polygons, &job.part(0.0, 0.05)),
-        Given::Curves(curves) => Ok(Input::Curves(curves)),
+        OwnedInput::Mesh(mesh, polygons) => mesh.mesh(polygons, &job.part(0.0, 0.05)),
+        OwnedInput::Curves(curves) => Ok(Input::Curves(curves)),
     }))?;
     let values = values(effect, &suites.parameters(instance)?, time, &inputs)?;
     let outputs = effect.filter.run(&inputs, &values, &job.part(0.05, 1.0))?;

@@ -6,7 +6,7 @@
 //! rounds.
 
 use super::levels::Levels;
-use super::predict::{Line, MARGIN_BEFORE, NEIGHBOURS, Predictor, WEIGHTS, WEIGHTS_PER_ERROR, place};
+use super::predict::{CoordinateRows, MARGIN_BEFORE, NEIGHBOURS, Predictor, WEIGHTS, WEIGHTS_PER_ERROR, place};
 use super::rows::{NodeState, Row};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -60,7 +60,7 @@ impl Sample {
         let step = (columns * lines / count).max(1);
         let mut points = alloc::with_capacity(lines * columns.div_ceil(step))?;
         let (mut row, mut known) = (Row::new(columns)?, alloc::filled(true, columns)?);
-        let mut state = [Line::new(columns)?, Line::new(columns)?, Line::new(columns)?];
+        let mut state = [CoordinateRows::new(columns)?, CoordinateRows::new(columns)?, CoordinateRows::new(columns)?];
         for line in 0..if rows.len() > 2 { lines } else { 0 } {
             let at = rows.start + 2 + line * (rows.len() - 2) / lines;
             let first = at - 2;
@@ -79,7 +79,7 @@ impl Sample {
                 points.push(Point { neighbours, own, column: place(j, columns), row: place(at, height) });
             }
         }
-        scale(&mut points, state.map(|line| levels.resolution(largest_value(&line))));
+        scale(&mut points, state.map(|line| levels.resolution(max_magnitude_in_row(&line))));
         let nodes_per_point = (rows.len() * columns) as f64 / points.len().max(1) as f64;
         Ok(Sample { points, nodes_per_point })
     }
@@ -196,9 +196,9 @@ impl Sample {
     }
 }
 
-/// Returns the largest magnitude of a row.
-fn largest_value(line: &Line) -> f64 {
-    line.here[MARGIN_BEFORE..].iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
+/// Returns the largest absolute value in the current row of a coordinate.
+fn max_magnitude_in_row(rows: &CoordinateRows) -> f64 {
+    rows.here[MARGIN_BEFORE..].iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
 }
 
 /// Scales differences to units of the resolution.
@@ -211,7 +211,7 @@ fn scale(points: &mut [Point], resolution: [f64; 3]) {
 }
 
 /// Enters a row into the state of a coordinate.
-fn enter<T, L: Levels<T>>(line: &mut Line, i: usize, row: &[i64], known: &[bool], levels: &L) {
+fn enter<T, L: Levels<T>>(line: &mut CoordinateRows, i: usize, row: &[i64], known: &[bool], levels: &L) {
     line.advance(i);
     let mut last = 0.0;
     for ((to, &level), &known) in line.here[MARGIN_BEFORE..].iter_mut().zip(row).zip(known) {

@@ -69,18 +69,18 @@ impl Predictor {
 
 /// The values of one coordinate in the current row and the two above, with margins.
 #[derive(Debug)]
-pub(super) struct Line {
+pub(super) struct CoordinateRows {
     pub(super) here: Vec<f64>,
     pub(super) north: Vec<f64>,
     north2: Vec<f64>,
 }
 
-impl Line {
+impl CoordinateRows {
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
     pub(super) fn new(columns: usize) -> Result<Self> {
         let row = || alloc::zeroed(MARGIN_BEFORE + columns + MARGIN_AFTER);
-        Ok(Line { here: row()?, north: row()?, north2: row()? })
+        Ok(CoordinateRows { here: row()?, north: row()?, north2: row()? })
     }
 
     /// Advances to row `i` of a block. Margins are extrapolated linearly along rows, the left one

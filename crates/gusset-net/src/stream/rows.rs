@@ -3,7 +3,7 @@
 
 use super::coder::Coder;
 use super::levels::Levels;
-use super::predict::{Line, MARGIN_BEFORE, NEIGHBOURS, Predictor, WEIGHTS_PER_ERROR, place};
+use super::predict::{CoordinateRows, MARGIN_BEFORE, NEIGHBOURS, Predictor, WEIGHTS_PER_ERROR, place};
 use super::residuals::Residuals;
 use super::symbol_model::Model;
 use gusset_base::alloc;
@@ -44,7 +44,7 @@ struct Channel {
     axis: usize,
     predictor: Predictor,
     residuals: Residuals,
-    line: Line,
+    line: CoordinateRows,
     /// Magnitudes of residuals in this row and the one above, with margins, and the expected ones.
     magnitudes: [Vec<u64>; 2],
     expected: Vec<u64>,
@@ -156,7 +156,7 @@ impl Channel {
             axis,
             predictor,
             residuals: Residuals::new()?,
-            line: Line::new(columns)?,
+            line: CoordinateRows::new(columns)?,
             magnitudes: [magnitudes()?, magnitudes()?],
             expected: alloc::zeroed(columns)?,
             base: alloc::zeroed(columns)?,
@@ -195,7 +195,7 @@ impl Channel {
         known: &[bool],
         ratio_classes: &[u8],
     ) {
-        let [west, west2] = Line::west(i, &self.predictor);
+        let [west, west2] = CoordinateRows::west(i, &self.predictor);
         // Without a row above, the nodes on the left take its weight.
         let [near, far] = if i == 0 { [8, 2] } else { [3, 1] };
         let columns = row.len();
