@@ -12,11 +12,16 @@ use gusset_base::sort::sort_distinct;
 use gusset_mesh::NONE;
 
 impl Base {
-    /// Decides which components to turn over, turns them, and returns for each pair whether it can
-    /// be joined.
-    pub(super) fn make_agree(&mut self, loops: &mut Loops, found: &mut [Facing], keep: bool) -> Result<Vec<Outcome>> {
+    /// Turns components over so that facing loops agree in orientation. Returns for each pair
+    /// whether it can be joined. If `keep_orientation`, turns nothing and accepts every pair.
+    pub(super) fn orient_components(
+        &mut self,
+        loops: &mut Loops,
+        found: &mut [Facing],
+        keep_orientation: bool,
+    ) -> Result<Vec<Outcome>> {
         let mut outcomes = alloc::filled(Outcome::Joined, found.len())?;
-        if keep {
+        if keep_orientation {
             return Ok(outcomes);
         }
         let mut components = alloc::collect(loops.candidates.iter().map(|candidate| candidate.component))?;

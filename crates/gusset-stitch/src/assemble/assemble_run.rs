@@ -156,7 +156,7 @@ fn join(base: &mut Base, options: &Options<'_>, cuts: &mut Cuts, job: &Job<'_>) 
     let joined_wholly = alloc::collect(found.iter().map(|facing| facing.arcs.is_none()))?;
 
     // Make components that face each other agree, nearest first.
-    let outcomes = base.make_agree(&mut loops, &mut found, options.keep_orientation)?;
+    let outcomes = base.orient_components(&mut loops, &mut found, options.keep_orientation)?;
     alloc::reserve(&mut base.assembly.joints, found.len())?;
     let mut hangs = alloc::filled(false, loops.rims.len())?;
     let mut tried = alloc::filled(false, loops.rims.len())?;
@@ -182,19 +182,19 @@ fn join(base: &mut Base, options: &Options<'_>, cuts: &mut Cuts, job: &Job<'_>) 
             intersections: None,
         };
         if outcome == Outcome::Joined {
-            let bridges = edges.bridges_between(facing.rims, &sides)?;
+            let existing = edges.existing_edges_between(facing.rims, &sides)?;
             let [a, mut b] = sides;
             b.reverse();
             let is_slit = facing.rims[0] == facing.rims[1];
             // The ends of a slit already have edges.
             let strips = if is_slit { stitch::Options { rows: Rows::None, ..strips } } else { strips };
             let mean = || *mean_side.get_or_init(|| base.assembly.mesh.mean_side()) / loops.unit;
-            match Strip::build(a, b, &bridges, &strips, mean, &part.part(0.0, 0.6)) {
+            match Strip::build(a, b, &existing, &strips, mean, &part.part(0.0, 0.6)) {
                 Err(Error::NoStrip { .. }) => joint.outcome = Outcome::NoStrip,
                 Err(error) => return Err(error),
                 Ok(mut strip) => {
                     let (mesh, part) = (&base.assembly.mesh, part.part(0.6, 1.0));
-                    let checked = fair_and_check(mesh, &mut strip, loops.unit, &bridges, &strips, &part)?;
+                    let checked = fair_and_check(mesh, &mut strip, loops.unit, &existing, &strips, &part)?;
                     let pairs = checked.intersections.as_deref().unwrap_or_default();
                     match cuts {
                         Cuts::Refused if !pairs.is_empty() => {

@@ -1,6 +1,7 @@
 //! The mesh's edges between vertices of its loops, which no strip may repeat.
 
-use crate::stitch::stitch_rim::{Bridges, Rim};
+use crate::stitch::existing_edges::ExistingEdges;
+use crate::stitch::stitch_rim::Rim;
 use crate::stitch::strip::Strip;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -48,7 +49,7 @@ impl Edges {
     /// Side B of a slit lies between the ends of side A, and the edges at these ends bound the
     /// strip. O(log edges) per vertex of side A and per edge there, or per vertex of side B if
     /// those are fewer.
-    pub(super) fn bridges_between(&self, rims: [usize; 2], [a, b]: &[Rim; 2]) -> Result<Bridges> {
+    pub(super) fn existing_edges_between(&self, rims: [usize; 2], [a, b]: &[Rim; 2]) -> Result<ExistingEdges> {
         let first = |rim: &Rim| rim.vertices[0];
         let last = |rim: &Rim| rim.vertices[rim.vertices.len() - 1];
         let ends = [(first(a), last(b)), (last(a), first(b))];
@@ -67,7 +68,7 @@ impl Edges {
         }
         edges.retain(|edge| !(is_slit && ends.contains(edge)));
         sort_distinct(&mut edges);
-        Ok(Bridges::from_edges(edges))
+        Ok(ExistingEdges::from_edges(edges))
     }
 }
 

@@ -31,11 +31,12 @@ use gusset_base::geom::kd_tree::KdTree;
 use gusset_base::job::Job;
 use gusset_base::sort::sort_distinct;
 
-/// Smallest look of either loop at the other.
-const MIN_LOOK: f64 = 0.1;
+/// Two loops face each other only if the mean cosine between conormal and direction to the other
+/// loop is at least this for each loop.
+const MIN_FACING_COSINE: f64 = 0.1;
 
-/// Smallest sum of the looks.
-const MIN_LOOKS: f64 = 0.8;
+/// Two loops face each other only if the sum of both mean cosines is at least this.
+const MIN_FACING_COSINE_SUM: f64 = 0.8;
 
 /// A loop lies ahead of a vertex within 45 degrees of its conormal.
 const MIN_COSINE_AHEAD: f64 = 0.7;
@@ -106,10 +107,10 @@ pub(super) struct Seen {
 }
 
 impl FacingSearch<'_> {
-    /// Returns the largest gap between loops `r` and `k` if they are joined whole.
-    pub(super) fn limit(&self, r: usize, k: usize) -> f64 {
-        let [r, k] = [&self.candidates[r], &self.candidates[k]];
-        self.max_gap.unwrap_or_else(|| r.radius.min(k.radius).max(MAX_SIZE_RATIO * r.size.max(k.size)))
+    /// Returns the largest gap across which two loops may be joined whole.
+    pub(super) fn max_gap_between(&self, first: usize, second: usize) -> f64 {
+        let [a, b] = [first, second].map(|k| &self.candidates[k]);
+        self.max_gap.unwrap_or_else(|| a.radius.min(b.radius).max(MAX_SIZE_RATIO * a.size.max(b.size)))
     }
 
     /// Returns the pairs of whole loops. `near` lists the loops with the nearest vertices of each
@@ -144,9 +145,11 @@ impl FacingSearch<'_> {
             }
             let there = look(&self.rims[r], &conormals[r], &self.rims[k], &lengths[k], &trees[k])?;
             let back = look(&self.rims[k], &conormals[k], &self.rims[r], &lengths[r], &trees[r])?;
-            let (gap, limit) = (there.gap.max(back.gap), self.limit(r, k));
+            let (gap, limit) = (there.gap.max(back.gap), self.max_gap_between(r, k));
             let looks = there.cosine + back.cosine;
-            let face = before >= MIN_SHARE_AHEAD && there.cosine.min(back.cosine) >= MIN_LOOK && looks >= MIN_LOOKS;
+            let face = before >= MIN_SHARE_AHEAD
+                && there.cosine.min(back.cosine) >= MIN_FACING_COSINE
+                && looks >= MIN_FACING_COSINE_SUM;
             // Overlapping rims, like hem and waist, look away from each other.
             let round = near >= MIN_SHARE_NEAR && there.round && back.round && !(there.beside && back.beside);
             if gap <= limit && (face || round) {

@@ -6,10 +6,10 @@
 //! again from the strips of other measures. The strip with the fewest intersections is kept, the
 //! first of equals.
 
+use super::existing_edges::ExistingEdges;
 use super::meridian::{Meridians, Pair, StepPenalty};
 use super::neighbourhood::{IntersectingTriangles, Neighbourhood};
 use super::stitch_request::Options;
-use super::stitch_rim::Bridges;
 use super::strip::{Strip, from_given_start, meridians_near_path};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -33,7 +33,7 @@ const PENALTY: f64 = 4.0;
 pub(super) fn avoid_cuts(
     whole: &Mesh,
     strip: &mut Strip,
-    bridges: &Bridges,
+    existing: &ExistingEdges,
     unit: f64,
     options: &Options,
     job: &Job<'_>,
@@ -46,18 +46,18 @@ pub(super) fn avoid_cuts(
         start_far_from_cuts(strip, &best)?;
         let mut best_meridians = alloc::copied(&strip.meridians)?;
         // The start has moved, and the faces are numbered from the start.
-        strip.set_meridians(alloc::copied(&best_meridians)?, bridges, options)?;
+        strip.set_meridians(alloc::copied(&best_meridians)?, existing, options)?;
         best = test(strip, &job.part(0.1, 0.15))?;
         for (k, measure) in MEASURES.into_iter().enumerate() {
             let part = job.part(0.15 + 0.25 * k as f64, 0.4 + 0.25 * k as f64);
             let how = Options { meridians: measure, ..*options };
-            let mut search = AvoidanceSearch { strip, bridges, options: &how, test: &test };
+            let mut search = AvoidanceSearch { strip, existing, options: &how, test: &test };
             search.run(&mut best, &mut best_meridians, &part)?;
             if best.pairs.is_empty() {
                 break;
             }
         }
-        strip.set_meridians(best_meridians, bridges, options)?;
+        strip.set_meridians(best_meridians, existing, options)?;
     }
     Neighbourhood::new(whole, strip, unit, Vec::new())?.faces(&old, &best)
 }
@@ -100,7 +100,7 @@ fn start_far_from_cuts(strip: &mut Strip, found: &IntersectingTriangles) -> Resu
 /// The search with one measure.
 struct AvoidanceSearch<'a, T> {
     strip: &'a mut Strip,
-    bridges: &'a Bridges,
+    existing: &'a ExistingEdges,
     options: &'a Options,
     test: &'a T,
 }
@@ -109,7 +109,7 @@ impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> AvoidanceSearch<'
     /// Tries strips until one is free of intersections, or no other strip is left. Keeps the best.
     fn run(&mut self, best: &mut IntersectingTriangles, kept: &mut Vec<Pair>, job: &Job<'_>) -> Result<()> {
         let Some(first) =
-            from_given_start(&self.strip.a, &self.strip.b, self.bridges, self.options, &job.part(0.0, 0.1))?
+            from_given_start(&self.strip.a, &self.strip.b, self.existing, self.options, &job.part(0.0, 0.1))?
         else {
             return Ok(());
         };
@@ -119,7 +119,7 @@ impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> AvoidanceSearch<'
         for round in 0..ROUNDS {
             let part =
                 job.part(0.1 + 0.9 * round as f64 / ROUNDS as f64, 0.1 + 0.9 * (round + 1) as f64 / ROUNDS as f64);
-            match self.strip.set_meridians(alloc::copied(&path)?, self.bridges, self.options) {
+            match self.strip.set_meridians(alloc::copied(&path)?, self.existing, self.options) {
                 Err(Error::NoStrip { .. }) => return Ok(()),
                 other => other?,
             }
@@ -135,7 +135,7 @@ impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> AvoidanceSearch<'
             let again = meridians_near_path(
                 &self.strip.a,
                 &self.strip.b,
-                self.bridges,
+                self.existing,
                 self.options,
                 &path,
                 &penalties,

@@ -13,10 +13,10 @@
 
 use super::avoid::avoid_cuts;
 use super::blend::{self, Blend, WAYS};
+use super::existing_edges::ExistingEdges;
 use super::meridian::Meridians;
 use super::neighbourhood::{IntersectingTriangles, Neighbourhood};
 use super::stitch_request::{Cells, Fairing, Finish, Intersections, Options};
-use super::stitch_rim::Bridges;
 use super::strip::Strip;
 use crate::blend::MAX_FAN_TRIANGLES;
 use crate::fair::{Continuity, Plate, Weights, thin_plate};
@@ -50,15 +50,15 @@ pub(crate) fn fair_and_check(
     whole: &Mesh,
     strip: &mut Strip,
     unit: f64,
-    bridges: &Bridges,
+    existing: &ExistingEdges,
     options: &Options,
     job: &Job<'_>,
 ) -> Result<CheckedStrip> {
     if options.finish == Finish::Blend && !strip.faces.corners.is_empty() {
-        let checked = check_strip(whole, strip, unit, bridges, options, &job.part(0.0, 0.3))?;
+        let checked = check_strip(whole, strip, unit, existing, options, &job.part(0.0, 0.3))?;
         return check_blend(whole, strip, unit, checked, options, &job.part(0.3, 1.0));
     }
-    check_strip(whole, strip, unit, bridges, options, job)
+    check_strip(whole, strip, unit, existing, options, job)
 }
 
 /// Fairs and checks a strip that is not replaced by a blend.
@@ -66,7 +66,7 @@ fn check_strip(
     whole: &Mesh,
     strip: &mut Strip,
     unit: f64,
-    bridges: &Bridges,
+    existing: &ExistingEdges,
     options: &Options,
     job: &Job<'_>,
 ) -> Result<CheckedStrip> {
@@ -75,7 +75,7 @@ fn check_strip(
         && options.meridians == Meridians::Continuation
         && options.cells == Cells::Triangles;
     if avoids && options.intersections == Intersections::Auto {
-        let left = avoid_cuts(whole, strip, bridges, unit, options, job)?;
+        let left = avoid_cuts(whole, strip, existing, unit, options, job)?;
         return Ok(CheckedStrip { intersections: Some(left), back_offs: 0, finish: Finish::Strip });
     }
     let faired = options.fairing == Fairing::ThinPlate && !strip.grid.new.is_empty();
@@ -215,7 +215,7 @@ impl Neighbourhood<'_> {
         let centres = alloc::collect(vertices.iter().enumerate().map(is_centre))?;
         self.space_evenly(strip, &vertices, &triangles, &mut points)?;
         let layout = alloc::collect(vertices.iter().map(|&v| match v.checked_sub(self.base) {
-            Some(k) => strip.grid.even_position(k as usize),
+            Some(k) => strip.grid.regular_grid_position(k as usize),
             None => DVec3::ZERO,
         }))?;
         let plate = Plate {

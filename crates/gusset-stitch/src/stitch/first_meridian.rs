@@ -5,8 +5,9 @@
 //! rim onto the other. They differ if one rim comes near the other in an unrelated place. The
 //! meridians from both candidates are searched, and the better ones are kept.
 
+use super::existing_edges::ExistingEdges;
 use super::polyline::{lengths, samples};
-use super::stitch_rim::{Bridges, Rim};
+use super::stitch_rim::Rim;
 use glam::DVec3;
 use gusset_base::error::Result;
 use gusset_base::geom::kd_tree::KdTree;
@@ -40,13 +41,18 @@ const SAMPLES: usize = 1 << 10;
 /// Returns the places (i, j) of the closest vertices of the two rims that are not yet joined by an
 /// edge. Among equally close pairs the smallest i wins, then the smallest j. Returns `None` if
 /// every pair is joined. O((N + M) log M).
-pub(super) fn closest_pair(a: &Rim, b: &Rim, bridges: &Bridges, job: &Job<'_>) -> Result<Option<(usize, usize)>> {
+pub(super) fn closest_pair(
+    a: &Rim,
+    b: &Rim,
+    existing: &ExistingEdges,
+    job: &Job<'_>,
+) -> Result<Option<(usize, usize)>> {
     let tree = KdTree::new(&b.points, &job.part(0.0, 0.1), STAGE)?;
     let job = job.part(0.1, 1.0);
     let mut best = (f64::INFINITY, None);
     for (i, (&p, &u)) in a.points.iter().zip(&a.vertices).enumerate() {
         job.step_every(REPORT_INTERVAL, i, a.points.len(), STAGE)?;
-        let found = tree.nearest(p, best.0, |j| !bridges.contains(u, b.vertices[j as usize]));
+        let found = tree.nearest(p, best.0, |j| !existing.contains(u, b.vertices[j as usize]));
         if let Some((distance, j)) = found
             && (distance < best.0 || best.1.is_none())
         {
@@ -60,7 +66,12 @@ pub(super) fn closest_pair(a: &Rim, b: &Rim, bridges: &Bridges, job: &Job<'_>) -
 /// yet. The rotation of rim B along rim A minimises the sum of squared distances between points at
 /// equal arc lengths. The rims run side by side. O(N log M), plus a Fourier transform of
 /// [`SAMPLES`] samples.
-pub(super) fn pair_by_rotation(a: &Rim, b: &Rim, bridges: &Bridges, job: &Job<'_>) -> Result<Option<(usize, usize)>> {
+pub(super) fn pair_by_rotation(
+    a: &Rim,
+    b: &Rim,
+    existing: &ExistingEdges,
+    job: &Job<'_>,
+) -> Result<Option<(usize, usize)>> {
     let shift = best_shift(&samples(&a.points, true, SAMPLES)?, &samples(&b.points, true, SAMPLES)?);
     job.step(0.0, STAGE)?;
     let (along_a, along_b) = (arc_fractions(&a.points)?, arc_fractions(&b.points)?);
@@ -73,7 +84,7 @@ pub(super) fn pair_by_rotation(a: &Rim, b: &Rim, bridges: &Bridges, job: &Job<'_
         let after = along_b.partition_point(|&s| s < t);
         for j in [(after + m - 1) % m, after % m] {
             let distance = a.points[i].distance_squared(b.points[j]);
-            if distance < best.0 && !bridges.contains(a.vertices[i], b.vertices[j]) {
+            if distance < best.0 && !existing.contains(a.vertices[i], b.vertices[j]) {
                 best = (distance, Some((i, j)));
             }
         }

@@ -10,8 +10,9 @@
 //! The old faces run A_i -> A_i+1 and B_j+1 -> B_j, so the new faces run P(r, c+1) -> P(r, c) ->
 //! P(r+1, c) -> P(r+1, c+1).
 
+use super::existing_edges::ExistingEdges;
 use super::meridian::Pair;
-use super::stitch_rim::{Bridges, Rim};
+use super::stitch_rim::Rim;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -76,9 +77,9 @@ impl Grid {
         Ok(grid)
     }
 
-    /// Returns the position of new vertex `k` if all edges had equal length: on a cylinder, or in a
-    /// plane for an open strip.
-    pub(super) fn even_position(&self, k: usize) -> DVec3 {
+    /// Returns the position of new vertex `k` in a regular grid with edges of length 1: on a
+    /// cylinder, or in a plane for an open strip.
+    pub(super) fn regular_grid_position(&self, k: usize) -> DVec3 {
         let (column, t) = self.new[k];
         let (along, up) = (column as f64, t * (self.rows + 1) as f64);
         if self.distinct == self.columns {
@@ -104,13 +105,13 @@ impl Grid {
     /// # Errors
     /// [`Error::NoStrip`] if a meridian without interior vertices, or both diagonals of a quad in a
     /// strip without rows, repeat an existing edge of the mesh.
-    pub(super) fn faces(&self, a: &Rim, b: &Rim, bridges: &Bridges, quads: bool) -> Result<FaceList> {
+    pub(super) fn faces(&self, a: &Rim, b: &Rim, existing: &ExistingEdges, quads: bool) -> Result<FaceList> {
         let n = a.vertices.len() as u32;
-        let bridges = (self.rows == 0 && !bridges.is_empty()).then_some(bridges);
+        let existing = (self.rows == 0 && !existing.is_empty()).then_some(existing);
         // Vertices of A have numbers below n. Without interior rows the other vertices are on B.
         let taken = |p: u32, q: u32| {
             let (i, j) = (p.min(q), p.max(q));
-            bridges.is_some_and(|bridges| bridges.contains(a.vertices[i as usize], b.vertices[(j - n) as usize]))
+            existing.is_some_and(|existing| existing.contains(a.vertices[i as usize], b.vertices[(j - n) as usize]))
         };
         let blocked = |p: u32| Err(Error::NoStrip { vertex: a.vertices[p.min(n - 1) as usize] });
         let flipped = if self.rows == 0 && a.closed && !quads { self.quad_to_flip(n, &taken) } else { None };

@@ -1,6 +1,7 @@
 //! The stages of stitching in order, from two loops to one mesh.
 
 use super::combine::{append_piece, append_strip, strip_alone};
+use super::existing_edges::ExistingEdges;
 use super::extent::{Extent, select_arcs};
 use super::facing::{self, check_tolerance};
 use super::fair_and_check::fair_and_check;
@@ -8,7 +9,7 @@ use super::loop_pairing::{nearest_pair, usable_rims};
 use super::quality::Quality;
 use super::sense::{arcs_run_the_same_way, rims_disagree};
 use super::stitch_request::{IndexMap, Options, Orientation, Request, Stitch};
-use super::stitch_rim::{Bridges, FreeEdges, Rim, shared_vertex};
+use super::stitch_rim::{FreeEdges, Rim, shared_vertex};
 use super::strip::Strip;
 use crate::boundary::{self, Boundary, boundary_loops};
 use crate::repair::orient::{Outward, turn_outwards};
@@ -48,13 +49,13 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     }
     let Rims { mut a, mut b, unit } = choose_rims(request, &job.part(0.0, 0.35))?;
     cut_arcs(request, options, [&mut a, &mut b], unit, &job.part(0.35, 0.4))?;
-    let bridges = match request.b {
-        Some(_) => Bridges::empty(),
+    let existing = match request.b {
+        Some(_) => ExistingEdges::empty(),
         None => {
             if let Some(vertex) = shared_vertex(&a, &b)? {
                 return Err(Error::LoopsShareVertex { vertex });
             }
-            Bridges::find(request.a, &a, &b)?
+            ExistingEdges::find(request.a, &a, &b)?
         }
     };
 
@@ -94,8 +95,8 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     }
     b.reverse();
     let mean_side = || whole.mean_side() / unit;
-    let mut strip = Strip::build(a, b, &bridges, options, mean_side, &job.part(0.4, 0.6))?;
-    let checked = fair_and_check(&whole, &mut strip, unit, &bridges, options, &job.part(0.6, 0.75))?;
+    let mut strip = Strip::build(a, b, &existing, options, mean_side, &job.part(0.4, 0.6))?;
+    let checked = fair_and_check(&whole, &mut strip, unit, &existing, options, &job.part(0.6, 0.75))?;
     job.step(0.75, "putting the pieces together")?;
     let attached = append_strip(&mut whole, &strip, unit)?;
 

@@ -12,6 +12,7 @@
 //! |---|---|
 //! | [`stitch_request`](self) | request, options and result |
 //! | [`stitch_rim`](self) | validated loops, and their free edges |
+//! | [`existing_edges`](self) | the edges that already join two rims |
 //! | [`loop_pairing`](self) | choice of the nearest pair of loops |
 //! | [`facing`] | facing arcs: algorithm 2 |
 //! | [`extent`](self) | choice between whole loops and arcs |
@@ -32,6 +33,7 @@
 mod avoid;
 mod blend;
 pub mod combine;
+pub mod existing_edges;
 mod extent;
 pub mod facing;
 pub mod fair_and_check;

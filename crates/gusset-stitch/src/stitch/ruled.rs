@@ -1,11 +1,12 @@
 //! A strip between two polylines without meshes: meridians, the matrix P, and a mesh of the points
 //! and the rows between them.
 
+use super::existing_edges::ExistingEdges;
 use super::facing::check_points;
 use super::first_meridian::Start;
 use super::meridian::{MeridianSearch, Meridians, Pair};
 use super::stitch_request::{Cells, Options, Rows};
-use super::stitch_rim::{Bridges, Rim};
+use super::stitch_rim::Rim;
 use super::strip::{Strip, from_given_start};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -76,7 +77,7 @@ pub fn ruled(a: &[DVec3], b: &[DVec3], closed: bool, options: &RuledOptions, job
     let rim = |points: &[DVec3]| Rim::from_points(alloc::collect(points.iter().map(|&p| p / unit))?, closed);
     let (rim_a, rim_b) = (rim(a)?, rim(b)?);
     let mean_side = mean_segment([&rim_a, &rim_b]);
-    let bridges = Bridges::empty();
+    let existing = ExistingEdges::empty();
     let stitch = Options {
         meridians: options.meridians,
         search: options.search,
@@ -86,10 +87,10 @@ pub fn ruled(a: &[DVec3], b: &[DVec3], closed: bool, options: &RuledOptions, job
         ..Options::default()
     };
     let strip = if closed && options.start.is_some() {
-        Strip::build(rim_a, rim_b, &bridges, &stitch, || mean_side, job)?
+        Strip::build(rim_a, rim_b, &existing, &stitch, || mean_side, job)?
     } else {
-        let found = from_given_start(&rim_a, &rim_b, &bridges, &stitch, job)?.ok_or(Error::NoStrip { vertex: 0 })?;
-        Strip::from_meridians(rim_a, rim_b, found.pairs, &bridges, &stitch, || mean_side)?
+        let found = from_given_start(&rim_a, &rim_b, &existing, &stitch, job)?.ok_or(Error::NoStrip { vertex: 0 })?;
+        Strip::from_meridians(rim_a, rim_b, found.pairs, &existing, &stitch, || mean_side)?
     };
     job.step(1.0, "making faces")?;
 

@@ -1,12 +1,13 @@
 //! The strip between two rims: first meridian, remaining meridians, rows and faces.
 
+use super::existing_edges::ExistingEdges;
 use super::first_meridian::{Start, closest_pair, pair_by_rotation};
 use super::grid::{FaceList, Grid};
 use super::meridian::{
     self, MeridianChoice, Meridians, Pair, RimPair, StepPenalty, forbidden_nodes, meridians, meridians_near,
 };
 use super::stitch_request::{Cells, Options, Rows};
-use super::stitch_rim::{Bridges, Rim};
+use super::stitch_rim::Rim;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -50,20 +51,20 @@ impl Strip {
     pub(crate) fn build(
         mut a: Rim,
         mut b: Rim,
-        bridges: &Bridges,
+        existing: &ExistingEdges,
         options: &Options,
         mean_side: impl Fn() -> f64,
         job: &Job<'_>,
     ) -> Result<Strip> {
         let meridians = if a.closed {
-            best_start(&mut a, &mut b, bridges, options, job)?
+            best_start(&mut a, &mut b, existing, options, job)?
         } else if options.twist != 0 {
             return Err(Error::OptionOutOfRange { option: "twist", value: options.twist as f64 });
         } else {
-            from_given_start(&a, &b, bridges, options, job)?.ok_or(Error::NoStrip { vertex: a.vertices[0] })?.pairs
+            from_given_start(&a, &b, existing, options, job)?.ok_or(Error::NoStrip { vertex: a.vertices[0] })?.pairs
         };
         job.step(1.0, meridian::STAGE)?;
-        let strip = Strip::from_meridians(a, b, meridians, bridges, options, mean_side)?;
+        let strip = Strip::from_meridians(a, b, meridians, existing, options, mean_side)?;
         job.step(1.0, meridian::STAGE)?;
         Ok(strip)
     }
@@ -76,7 +77,7 @@ impl Strip {
         a: Rim,
         b: Rim,
         meridians: Vec<Pair>,
-        bridges: &Bridges,
+        existing: &ExistingEdges,
         options: &Options,
         mean_side: impl Fn() -> f64,
     ) -> Result<Strip> {
@@ -91,7 +92,7 @@ impl Strip {
             }
         };
         let grid = Grid::new(&a, &b, &meridians, rows)?;
-        let faces = grid.faces(&a, &b, bridges, options.cells == Cells::Quads)?;
+        let faces = grid.faces(&a, &b, existing, options.cells == Cells::Quads)?;
         let parents = grid
             .meridian_ends()
             .zip(&grid.new)
@@ -104,9 +105,14 @@ impl Strip {
     ///
     /// # Errors
     /// [`Error::NoStrip`], [`Error::OutOfMemory`].
-    pub(super) fn set_meridians(&mut self, meridians: Vec<Pair>, bridges: &Bridges, options: &Options) -> Result<()> {
+    pub(super) fn set_meridians(
+        &mut self,
+        meridians: Vec<Pair>,
+        existing: &ExistingEdges,
+        options: &Options,
+    ) -> Result<()> {
         self.grid = Grid::new(&self.a, &self.b, &meridians, 0)?;
-        self.faces = self.grid.faces(&self.a, &self.b, bridges, options.cells == Cells::Quads)?;
+        self.faces = self.grid.faces(&self.a, &self.b, existing, options.cells == Cells::Quads)?;
         self.meridians = meridians;
         Ok(())
     }
@@ -118,14 +124,20 @@ impl Strip {
 }
 
 /// Rotates the rims to the best first meridian, and returns the meridians from there.
-fn best_start(a: &mut Rim, b: &mut Rim, bridges: &Bridges, options: &Options, job: &Job<'_>) -> Result<Vec<Pair>> {
+fn best_start(
+    a: &mut Rim,
+    b: &mut Rim,
+    existing: &ExistingEdges,
+    options: &Options,
+    job: &Job<'_>,
+) -> Result<Vec<Pair>> {
     let none = Error::NoStrip { vertex: a.vertices[0] };
     let count = b.vertices.len();
-    let (i, j) = closest_pair(a, b, bridges, &job.part(0.0, 0.2))?.ok_or(none)?;
+    let (i, j) = closest_pair(a, b, existing, &job.part(0.0, 0.2))?.ok_or(none)?;
     let j = ((j as i64 + options.twist.rem_euclid(count as i64)).rem_euclid(count as i64)) as usize;
     let second = match options.start {
         Start::Auto if options.twist == 0 => {
-            pair_by_rotation(a, b, bridges, &job.part(0.2, 0.2))?.filter(|&other| other != (i, j))
+            pair_by_rotation(a, b, existing, &job.part(0.2, 0.2))?.filter(|&other| other != (i, j))
         }
         _ => None,
     };
@@ -134,7 +146,7 @@ fn best_start(a: &mut Rim, b: &mut Rim, bridges: &Bridges, options: &Options, jo
     let job = job.part(0.2, 1.0);
     job.step(0.0, meridian::STAGE)?;
     let Some((i2, j2)) = second else {
-        return from_given_start(a, b, bridges, options, &job)?.map(|chosen| chosen.pairs).ok_or(none);
+        return from_given_start(a, b, existing, options, &job)?.map(|chosen| chosen.pairs).ok_or(none);
     };
     let (mut other_a, mut other_b) = (a.try_clone()?, b.try_clone()?);
     job.step(0.0, meridian::STAGE)?;
@@ -145,8 +157,8 @@ fn best_start(a: &mut Rim, b: &mut Rim, bridges: &Bridges, options: &Options, jo
     let (first, other) = par::run_both(
         &job.with_threads(threads),
         meridian::STAGE,
-        |job| from_given_start(a, b, bridges, options, job),
-        |job| from_given_start(&other_a, &other_b, bridges, options, job),
+        |job| from_given_start(a, b, existing, options, job),
+        |job| from_given_start(&other_a, &other_b, existing, options, job),
     )?;
     let is_better = |other: &MeridianChoice| match &first {
         Some(first) => other.cost < first.cost * (1.0 - MIN_RELATIVE_GAIN),
@@ -165,30 +177,30 @@ fn best_start(a: &mut Rim, b: &mut Rim, bridges: &Bridges, options: &Options, jo
 pub(crate) fn from_given_start(
     a: &Rim,
     b: &Rim,
-    bridges: &Bridges,
+    existing: &ExistingEdges,
     options: &Options,
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
-    between_rims(a, b, bridges, options, &[], |rims| meridians(rims, options.meridians, options.search, job))
+    between_rims(a, b, existing, options, &[], |rims| meridians(rims, options.meridians, options.search, job))
 }
 
 /// Returns the best meridians near a path, with penalties on some steps.
 pub(super) fn meridians_near_path(
     a: &Rim,
     b: &Rim,
-    bridges: &Bridges,
+    existing: &ExistingEdges,
     options: &Options,
     path: &[Pair],
     penalties: &[StepPenalty],
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
-    between_rims(a, b, bridges, options, penalties, |rims| meridians_near(rims, options.meridians, path, job))
+    between_rims(a, b, existing, options, penalties, |rims| meridians_near(rims, options.meridians, path, job))
 }
 
 fn between_rims<T>(
     a: &Rim,
     b: &Rim,
-    bridges: &Bridges,
+    existing: &ExistingEdges,
     options: &Options,
     penalties: &[StepPenalty],
     find: impl FnOnce(&RimPair<'_>) -> Result<T>,
@@ -196,7 +208,7 @@ fn between_rims<T>(
     let (n, m) = (a.vertices.len() as u32, b.vertices.len() as u32);
     // With interior rows, no meridian is a single edge.
     let forbidden = match options.rows {
-        Rows::None => forbidden_nodes(bridges.nodes(a, b)?.into_iter(), n, m, a.closed)?,
+        Rows::None => forbidden_nodes(existing.nodes(a, b)?.into_iter(), n, m, a.closed)?,
         _ => Vec::new(),
     };
     let (line_a, line_b) = (a.line()?, b.line()?);

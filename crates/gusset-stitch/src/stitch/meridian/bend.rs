@@ -57,7 +57,8 @@ pub(super) struct Row {
     /// degenerate triangle.
     normals: [Line; 2],
     areas: [Vec<f64>; 2],
-    /// The squared bulge of each node's meridian, or its length if bends are weighted by length.
+    /// For each node, the squared bulge of its meridian. If bends are weighted by length, the
+    /// length of its meridian.
     meridians: Vec<f64>,
 }
 
@@ -150,7 +151,7 @@ impl<'a> Bends<'a> {
     ) {
         let edge = self.a[i.saturating_sub(1)].distance(self.a[i]);
         let side = self.sides[0].get(i);
-        let steps = Steps {
+        let steps = RowSteps {
             normals: now.normals[0].part(range.clone()),
             areas: &now.areas[0][range.clone()],
             meridians: [&before.meridians[range.clone()], &now.meridians[range.clone()]],
@@ -162,7 +163,7 @@ impl<'a> Bends<'a> {
 
         let (from, end) = (range.start.max(1), range.end);
         let (sides, b, next) = (self.sides[1].part(from..end), self.b.part(from - 1..end - 1), self.b.part(from..end));
-        let steps = Steps {
+        let steps = RowSteps {
             normals: now.normals[1].part(from..end),
             areas: &now.areas[1][from..end],
             meridians: [&now.meridians[from - 1..end - 1], &now.meridians[from..end]],
@@ -209,8 +210,9 @@ impl Tangents {
     }
 }
 
-/// The steps on one rim into consecutive nodes of a row.
-struct Steps<'a> {
+/// For consecutive nodes of a row, the quantities of the step into each node along one rim. Element
+/// k of each array belongs to node k.
+struct RowSteps<'a> {
     /// The normals of the added triangles.
     normals: [&'a [f64]; 3],
     areas: &'a [f64],
@@ -222,7 +224,7 @@ struct Steps<'a> {
     squared: &'a [f64],
 }
 
-impl Steps<'_> {
+impl RowSteps<'_> {
     /// Computes the costs after a step on A, and after a step on B. `rim` returns the normal of the
     /// face along the rim and the length of the edge. If `begins`, the first step is the first of
     /// the path: no triangle precedes it, and the seam is added at the end.

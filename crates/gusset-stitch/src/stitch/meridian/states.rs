@@ -24,7 +24,7 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use std::ops::Range;
 
-/// The last step was on B. Used for bends only.
+/// Bit of a state: the last step advanced along rim B. Set only if bends are minimised.
 const LAST_B: usize = 1;
 /// The path has had a step on A inside B.
 const WITHIN_B: usize = 2;
