@@ -281,7 +281,7 @@ fn borders_are_told_from_holes() {
     full.points.iter_mut().for_each(|p| p[2] += 0.02 * p[0] * p[1]);
     let mut holed = Soup { points: full.points.clone(), offsets: vec![0], ..Soup::default() };
     full.faces().enumerate().filter(|(k, _)| ![60, 61, 71].contains(k)).for_each(|(_, face)| holed.face(face));
-    let options = Options { keep: Keep::Borders, ..Options::default() };
+    let options = Options { keep: Keep::OuterBorders, ..Options::default() };
     let statuses: Vec<_> = fill(&holed, &options).holes.iter().map(|hole| (hole.rim.len(), hole.status)).collect();
     let (outer, inner): (Vec<_>, Vec<_>) = statuses.into_iter().partition(|&(length, _)| length > 20);
     assert_eq!((outer.len(), outer[0].1), (1, HoleStatus::Kept));

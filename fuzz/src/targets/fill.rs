@@ -17,7 +17,7 @@ pub(crate) fn run(bytes: &[u8]) {
             fairing: if faired { Fairing::ThinPlate } else { Fairing::None },
             continuity: if curved { Continuity::C2 } else { Continuity::C1 },
             ignore_creases: uncreased,
-            keep: if borders { Keep::Borders } else { Keep::None },
+            keep: if borders { Keep::OuterBorders } else { Keep::None },
             ..Options::default()
         };
         if let Ok(filled) = fill_holes(mesh, Selection::All, &options, &Job::default()) {

@@ -115,7 +115,7 @@ c_enum! {
     keep: Keep {
         GUSSET_KEEP_NONE => None,
         GUSSET_KEEP_LONGEST => Longest,
-        GUSSET_KEEP_BORDERS => Borders,
+        GUSSET_KEEP_BORDERS => OuterBorders,
     }
     together: Together {
         GUSSET_TOGETHER_APART => Apart,

@@ -161,7 +161,7 @@ fn patches_go_on_with_the_charts_round_them() {
             soup.face(face);
         }
     }
-    let keep = fill::Keep::Borders;
+    let keep = fill::Keep::OuterBorders;
     for refinement in [fill::Refinement::None, fill::Refinement::RimDensity(10_000)] {
         let options = fill::Options { refinement, keep, ..fill::Options::default() };
         let done = fill_holes(&soup.view(), Selection::All, &options, &job()).unwrap();

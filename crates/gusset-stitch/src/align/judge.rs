@@ -20,7 +20,8 @@ const MIN_FIT: f64 = 2.0 / 3.0;
 const MIN_HOLD: f64 = 7.6e-5;
 /// Largest part of the stiffness that may be noise.
 const MAX_NOISE: f64 = 0.5;
-/// A piece this many times as large or small as the first uses another unit.
+/// If a piece without overlaps differs from the first piece by more than this factor in size, it
+/// probably uses another unit of length.
 const MIN_UNIT_RATIO: f64 = 50.0;
 
 /// The reason, and the stiffness with which a piece is held.

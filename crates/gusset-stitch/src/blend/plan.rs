@@ -2,7 +2,7 @@
 
 use super::ring::{MAX_SMOOTH_BEND, OldRing};
 use crate::fair::mean_curvature;
-use crate::remesh::{PatchMesh, Sizing, even, insert, size_growth, vertices_needed};
+use crate::remesh::{PatchMesh, Sizing, even, refine, size_growth, vertices_needed};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -113,7 +113,7 @@ impl<T: Fn(u32, u32) -> bool> Plan<T> {
             shortest: MIN_SHORTEST_SIDE,
         };
         even(&mut mesh, rim, &mut sizing, &taken, &job.part(0.0, 0.5))?;
-        insert(&mut mesh, rim, &mut sizing, &taken, &job.part(0.5, 0.8))?;
+        refine(&mut mesh, rim, &mut sizing, &taken, &job.part(0.5, 0.8))?;
         if limits.growth.is_finite() && mesh.points.len() >= sizing.limit {
             return Ok(None);
         }
@@ -132,7 +132,7 @@ impl<T: Fn(u32, u32) -> bool> Plan<T> {
         for round in 0..way.rounds {
             let part = job.part(0.0, 0.6).share(round as usize, way.rounds as usize);
             if round > 0 {
-                insert(&mut mesh, rim, &mut sizing, taken, &part.part(0.0, 0.3))?;
+                refine(&mut mesh, rim, &mut sizing, taken, &part.part(0.0, 0.3))?;
                 mesh.settle(rim, taken, SETTLE_ROUNDS[0], &part.part(0.3, 0.4))?;
                 if let Some(passes) = ring.follows {
                     sizing.curvature = ring.solved_curvature(&mesh, passes, &part.part(0.4, 0.4))?;
@@ -142,7 +142,7 @@ impl<T: Fn(u32, u32) -> bool> Plan<T> {
         }
         mesh.iron(rim, self.min_cosine, &self.creased, &job.part(0.6, 0.7))?;
         sizing.shortest = FINAL_MIN_SHORTEST_SIDE;
-        insert(&mut mesh, rim, &mut sizing, taken, &job.part(0.7, 0.8))?;
+        refine(&mut mesh, rim, &mut sizing, taken, &job.part(0.7, 0.8))?;
         mesh.settle(rim, taken, SETTLE_ROUNDS[1], &job.part(0.8, 1.0))?;
         let back = |points: &[DVec3]| alloc::collect(points[rim..].iter().map(|&p| p + ring.origin));
         Ok(Blend { points: back(&mesh.points)?, unfaired: back(&sizing.unfaired)?, triangles: mesh.triangles })

@@ -14,7 +14,7 @@ use std::ops::Range;
 pub(super) struct SplitSurface {
     /// For each corner, the vertex of the result, numbered chart by chart.
     pub(super) corners: Vec<u32>,
-    /// For each vertex, the vertex of the surface.
+    /// For each vertex of the split surface, its vertex in the uncut surface.
     pub(super) vertex_map: Vec<u32>,
     /// For each face, its chart.
     pub(super) face_charts: Vec<u32>,

@@ -61,7 +61,7 @@ fn kept_loops(mesh: &MeshView<'_>, boundary: &Boundary, keep: Keep) -> Result<Ve
             let longest = usable.max_by(|(i, a), (j, b)| a.length.total_cmp(&b.length).then(j.cmp(i)));
             longest.into_iter().for_each(|(i, _)| kept[i] = true);
         }
-        Keep::Borders => {
+        Keep::OuterBorders => {
             let sheets = Sheets::new(mesh)?;
             for (kept, found) in kept.iter_mut().zip(boundary.iter()).filter(|(_, found)| usable(found)) {
                 *kept = sheets.has_border(mesh, found.vertices);
@@ -99,7 +99,7 @@ impl Sheets {
         Ok(Sheets { component, areas })
     }
 
-    /// Returns true if the loop runs around the outside of its sheet; see [`Keep::Borders`].
+    /// Returns true if the loop runs around the outside of its sheet; see [`Keep::OuterBorders`].
     fn has_border(&self, mesh: &MeshView<'_>, vertices: &[u32]) -> bool {
         let (area, own) = self.areas[self.component[vertices[0] as usize] as usize];
         let origin = mesh.positions().get(vertices[0]);

@@ -88,22 +88,22 @@ pub struct Measures {
 /// Which loops are not holes. Read only with [`Selection::All`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Keep {
-    /// Every loop is a hole.
+    /// Fills every loop.
     #[default]
     None,
-    /// The longest loop is not a hole.
+    /// Leaves the longest loop open.
     Longest,
-    /// A loop around the outside of a sheet is not a hole: its patch would lie on the sheet.
+    /// Leaves the outer border of each sheet open, because filling it would cover the sheet.
     ///
-    /// The area vector of such a loop points along the sheet's own area vector, and its length is
+    /// The area vector of an outer border points along the sheet's own area vector, and its length is
     /// at least half the sheet's area.
-    Borders,
+    OuterBorders,
 }
 
 choices! { for Keep:
     None => "None", "All loops are holes.";
     Longest => "The longest", "The longest loop is the outline of a sheet, and stays open.";
-    Borders => "Borders", "Loops around a sheet stay open. Loops around holes in it are filled.";
+    OuterBorders => "Borders", "Loops around a sheet stay open. Loops around holes in it are filled.";
 }
 
 /// Which loops share a patch.

@@ -6,7 +6,7 @@ use super::near::faces_near;
 use super::patch::{Planner, attempts, neighbourhood};
 use super::patch_cuts::{OldTriangles, Trials, cutting_patches, find_cuts};
 use super::patch_rim::PatchRim;
-use super::placed::{Placed, Pool};
+use super::placed::{MeshAndPatchVertices, Placed};
 use super::result::Made;
 use super::surroundings::Surroundings;
 use crate::stitch::Intersections;
@@ -61,7 +61,7 @@ impl<'a> Filling<'a> {
         }
         let near = faces_near(mesh, &boxes, &job.part(0.0, 0.9))?;
         let surroundings = Surroundings::new(mesh, passes, &near, options.continuity, &job.part(0.9, 1.0))?;
-        let made = Made { pool: Pool::new(mesh, &points), ..Made::empty(mesh) };
+        let made = Made { vertices: MeshAndPatchVertices::new(mesh, &points), ..Made::empty(mesh) };
         Ok(Filling {
             options,
             candidates,
@@ -115,7 +115,7 @@ impl<'a> Filling<'a> {
         for (i, &attempt) in ways.iter().enumerate() {
             let job = job.share(i, ways.len());
             if let Some(patch) = planner.patch(attempt, &job.part(0.0, 0.9))? {
-                found = Some(self.made.pool.place(&rim, &names, &patch, attempt, &job.part(0.9, 1.0))?);
+                found = Some(self.made.vertices.place(&rim, &names, &patch, attempt, &job.part(0.9, 1.0))?);
             }
             // The search for several loops is incomplete, so another weight may succeed.
             if found.is_some() || planner.is_stuck() && group.len() == 1 {
@@ -130,18 +130,18 @@ impl<'a> Filling<'a> {
     /// Looks for intersections, and tries other patches where there are any. `rooms` are the
     /// patches' boxes.
     fn avoid_cuts(&mut self, rooms: &[Aabb], job: &Job<'_>) -> Result<()> {
-        let old = OldTriangles::new(self.made.pool.mesh, &self.near, &job.part(0.0, 0.1))?;
-        let mut pairs = find_cuts(&self.made.pool, &self.made.patches, &old, &job.part(0.1, 0.3))?;
+        let old = OldTriangles::new(self.made.vertices.mesh, &self.near, &job.part(0.0, 0.1))?;
+        let mut pairs = find_cuts(&self.made.vertices, &self.made.patches, &old, &job.part(0.1, 0.3))?;
         if !pairs.is_empty() && self.options.intersections == Intersections::Auto {
-            let trials = Trials::new(&self.made.pool, &old, rooms, &job.part(0.3, 0.3))?;
+            let trials = Trials::new(&self.made.vertices, &old, rooms, &job.part(0.3, 0.3))?;
             let cutting = cutting_patches(&pairs, &self.made.patches)?;
             for (i, &k) in cutting.iter().enumerate() {
                 let job = job.part(0.3, 0.8).share(i, cutting.len());
                 self.try_others(k, &trials, &job)?;
             }
-            pairs = find_cuts(&self.made.pool, &self.made.patches, &old, &job.part(0.8, 1.0))?;
+            pairs = find_cuts(&self.made.vertices, &self.made.patches, &old, &job.part(0.8, 1.0))?;
         }
-        let first_new = self.made.pool.mesh.faces().len() as u32;
+        let first_new = self.made.vertices.mesh.faces().len() as u32;
         self.made.intersections = Some(old.faces_of(&pairs, &self.made.patches, first_new)?);
         Ok(())
     }
@@ -159,8 +159,8 @@ impl<'a> Filling<'a> {
             |u: u32, v: u32| is_taken(&self.surroundings, &self.bridges, [names[u as usize], names[v as usize]]);
         let mut planner = Planner::new(&rim, self.options, &taken);
         let mut least =
-            trials.count(&self.made.pool, &self.made.patches, k, &self.made.patches[k], &job.part(0.0, 0.0))?;
-        let first_tried = self.made.pool.end();
+            trials.count(&self.made.vertices, &self.made.patches, k, &self.made.patches[k], &job.part(0.0, 0.0))?;
+        let first_tried = self.made.vertices.end();
         let (mut better, mut tried) = (None, self.made.patches[k].vertices.len());
         let ways = attempts(self.options);
         for (i, &attempt) in ways.iter().enumerate() {
@@ -175,13 +175,13 @@ impl<'a> Filling<'a> {
                 continue;
             };
             tried += patch.points.len();
-            let mut placed = self.made.pool.place(&rim, &names, &patch, attempt, &job.part(0.7, 0.8))?;
-            let count = trials.count(&self.made.pool, &self.made.patches, k, &placed, &job.part(0.8, 1.0))?;
+            let mut placed = self.made.vertices.place(&rim, &names, &patch, attempt, &job.part(0.7, 0.8))?;
+            let count = trials.count(&self.made.vertices, &self.made.patches, k, &placed, &job.part(0.8, 1.0))?;
             if count < least {
-                self.made.pool.move_down(&mut placed, first_tried);
+                self.made.vertices.move_down(&mut placed, first_tried);
                 (least, better) = (count, Some(placed));
             } else {
-                self.made.pool.forget(&placed);
+                self.made.vertices.forget(&placed);
             }
         }
         drop(planner);

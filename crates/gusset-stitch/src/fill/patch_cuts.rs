@@ -1,6 +1,6 @@
 //! Intersections of patches with each other and with old faces.
 
-use super::placed::{Placed, Pool};
+use super::placed::{MeshAndPatchVertices, Placed};
 use crate::intersect::{Soup, intersecting_pairs};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -61,14 +61,14 @@ impl OldTriangles {
 /// Finds the pairs of intersecting triangles with at least one patch triangle. The triangles of the
 /// patches are numbered consecutively, and the old triangles follow.
 pub(super) fn find_cuts(
-    pool: &Pool<'_>,
+    vertices: &MeshAndPatchVertices<'_>,
     patches: &[Placed],
     old: &OldTriangles,
     job: &Job<'_>,
 ) -> Result<Vec<[u32; 2]>> {
     let mut new = alloc::with_capacity(patches.iter().map(|patch| patch.triangles.len()).sum())?;
     patches.iter().for_each(|patch| new.extend_from_slice(&patch.triangles));
-    intersecting_pairs(&Soup { at: |v| pool.scaled(v), new: &new, old: &old.corners }, job)
+    intersecting_pairs(&Soup { at: |v| vertices.scaled(v), new: &new, old: &old.corners }, job)
 }
 
 /// Returns the patches with triangles among pairs of [`find_cuts`], ascending.
@@ -116,8 +116,13 @@ impl Boxes {
 impl<'a> Trials<'a> {
     /// Builds the trees. `rooms` has a box for each patch that contains every attempt at it. O(n
     /// log n) for n old triangles and patches.
-    pub(super) fn new(pool: &Pool<'_>, old: &'a OldTriangles, rooms: &[Aabb], job: &Job<'_>) -> Result<Self> {
-        let boxes = old.corners.iter().map(|triangle| Aabb::from_points(triangle.map(|v| pool.position(v))));
+    pub(super) fn new(
+        vertices: &MeshAndPatchVertices<'_>,
+        old: &'a OldTriangles,
+        rooms: &[Aabb],
+        job: &Job<'_>,
+    ) -> Result<Self> {
+        let boxes = old.corners.iter().map(|triangle| Aabb::from_points(triangle.map(|v| vertices.position(v))));
         let boxes = alloc::collect_cancellable(boxes, &job.part(0.0, 0.0), "looking for intersections")?;
         Ok(Trials {
             old,
@@ -130,21 +135,21 @@ impl<'a> Trials<'a> {
     /// patch, and pairs with other triangles.
     pub(super) fn count(
         &self,
-        pool: &Pool<'_>,
+        vertices: &MeshAndPatchVertices<'_>,
         patches: &[Placed],
         k: usize,
         patch: &Placed,
         job: &Job<'_>,
     ) -> Result<usize> {
         // Enlarge the box: scaling by the unit, a power of two, may round tiny coordinates to 0.
-        let around = patch.around.inflated(f64::MIN_POSITIVE * pool.unit);
+        let around = patch.around.inflated(f64::MIN_POSITIVE * vertices.unit);
         let mut others = Vec::new();
         self.triangles.each_overlapping(&around, |t| alloc::push(&mut others, self.old.corners[t]))?;
         self.rooms.each_overlapping(&around, |j| {
             let other = &patches[j];
             if j != k && other.around.overlaps(&around) { alloc::append(&mut others, &other.triangles) } else { Ok(()) }
         })?;
-        let soup = Soup { at: |v| pool.scaled(v), new: &patch.triangles, old: &others };
+        let soup = Soup { at: |v| vertices.scaled(v), new: &patch.triangles, old: &others };
         Ok(intersecting_pairs(&soup, job)?.len())
     }
 }

@@ -13,17 +13,17 @@ use gusset_mesh::{MeshView, Scalar, check_size};
 use std::ops::Range;
 
 /// The vertices of the mesh, and after them the vertices of the patches.
-pub(super) struct Pool<'a> {
+pub(super) struct MeshAndPatchVertices<'a> {
     pub(super) mesh: &'a MeshView<'a>,
     /// A power of two near the size of the rims.
     pub(super) unit: f64,
     points: Vec<DVec3>,
 }
 
-impl<'a> Pool<'a> {
-    /// Creates a pool without patches. `rims` has the points of all rims.
+impl<'a> MeshAndPatchVertices<'a> {
+    /// Creates the numbering of a mesh without patches. `rims` has the points of all rims.
     pub(super) fn new(mesh: &'a MeshView<'a>, rims: &[DVec3]) -> Self {
-        Pool { mesh, unit: common_unit(rims), points: Vec::new() }
+        MeshAndPatchVertices { mesh, unit: common_unit(rims), points: Vec::new() }
     }
 
     pub(super) fn position(&self, v: u32) -> DVec3 {
@@ -89,7 +89,7 @@ impl<'a> Pool<'a> {
     }
 }
 
-/// A patch with vertices in the pool.
+/// A patch whose vertices have numbers in [`MeshAndPatchVertices`].
 pub(super) struct Placed {
     /// The new vertices of the patch.
     pub(super) vertices: Range<u32>,

@@ -3,7 +3,7 @@
 use super::choose::Candidate;
 use super::fill_request::{Filled, Finish, Hole, HoleStatus, Options};
 use super::patch::attempts;
-use super::placed::{Placed, Pool};
+use super::placed::{MeshAndPatchVertices, Placed};
 use crate::repair::orient::{Outward, turn_outwards};
 use crate::stitch::{Quality, part_alone};
 use gusset_base::alloc;
@@ -13,7 +13,7 @@ use gusset_mesh::{Mesh, MeshView, NONE, concat};
 
 /// The finished patches.
 pub(super) struct Made<'a> {
-    pub(super) pool: Pool<'a>,
+    pub(super) vertices: MeshAndPatchVertices<'a>,
     /// In the order of the first loops of their groups.
     pub(super) patches: Vec<Placed>,
     /// The candidates that each patch closes.
@@ -24,7 +24,12 @@ pub(super) struct Made<'a> {
 
 impl<'a> Made<'a> {
     pub(super) fn empty(mesh: &'a MeshView<'a>) -> Self {
-        Made { pool: Pool::new(mesh, &[]), patches: Vec::new(), groups: Vec::new(), intersections: None }
+        Made {
+            vertices: MeshAndPatchVertices::new(mesh, &[]),
+            patches: Vec::new(),
+            groups: Vec::new(),
+            intersections: None,
+        }
     }
 
     /// Returns the patch number of each candidate, or [`NONE`].
@@ -44,7 +49,7 @@ pub(super) fn build_result(
     options: &Options,
     job: &Job<'_>,
 ) -> Result<Filled> {
-    let mesh = made.pool.mesh;
+    let mesh = made.vertices.mesh;
     job.step(0.0, "putting the pieces together")?;
     let counts = made.patches.iter().map(|patch| [patch.vertices.len(), patch.triangles.len()]);
     let [points, faces] = counts.fold([0, 0], |sum, count| [sum[0] + count[0], sum[1] + count[1]]);
@@ -85,7 +90,7 @@ fn hole_reports(
         let end = |whole: &Mesh| [whole.face_count() as u32, whole.positions.len() as u32];
         if patch as usize == placed.len() {
             let start = end(whole);
-            append(whole, &made.pool, &made.patches[patch as usize])?;
+            append(whole, &made.vertices, &made.patches[patch as usize])?;
             placed.push([start, end(whole)]);
         }
         let own = made.patches.get(patch as usize);
@@ -108,10 +113,10 @@ fn hole_reports(
 }
 
 /// Appends a patch to a mesh with enough capacity.
-fn append(whole: &mut Mesh, pool: &Pool<'_>, patch: &Placed) -> Result<()> {
-    let (old, first) = (pool.mesh.positions().len() as u32, whole.positions.len() as u32);
+fn append(whole: &mut Mesh, vertices: &MeshAndPatchVertices<'_>, patch: &Placed) -> Result<()> {
+    let (old, first) = (vertices.mesh.positions().len() as u32, whole.positions.len() as u32);
     let name = |v: u32| if v < old { v } else { v - patch.vertices.start + first };
-    whole.positions.extend(patch.vertices.clone().map(|v| pool.position(v)))?;
+    whole.positions.extend(patch.vertices.clone().map(|v| vertices.position(v)))?;
     for triangle in &patch.triangles {
         whole.face_corners.extend(triangle.map(name));
         whole.face_offsets.push(whole.face_corners.len() as u32);

@@ -52,7 +52,7 @@ impl<'a> Surroundings<'a> {
         sort_distinct(&mut corners);
         let beyond = match continuity {
             Continuity::C1 => Vec::new(),
-            Continuity::C2 => faces_beyond(mesh, passes, &corners, job)?,
+            Continuity::C2 => second_ring_corners(mesh, passes, &corners, job)?,
         };
         Ok(Surroundings { mesh, passes, corners, beyond, names: alloc::filled(NONE, mesh.positions().len())? })
     }
@@ -150,7 +150,12 @@ fn corners_of(corners: &[(u32, u32)], v: u32) -> &[(u32, u32)] {
 }
 
 /// Returns the corners of faces that touch no rim, at vertices of faces that touch one.
-fn faces_beyond(mesh: &MeshView<'_>, passes: &[u8], corners: &[(u32, u32)], job: &Job<'_>) -> Result<Vec<(u32, u32)>> {
+fn second_ring_corners(
+    mesh: &MeshView<'_>,
+    passes: &[u8],
+    corners: &[(u32, u32)],
+    job: &Job<'_>,
+) -> Result<Vec<(u32, u32)>> {
     let mut is_next = alloc::filled(false, mesh.positions().len())?;
     for &(_, f) in corners {
         mesh.face(f as usize).for_each(|v| is_next[v as usize] = true);

@@ -125,11 +125,11 @@ impl Cost {
 /// The length of a rim in units of bulges. A surface that is one unit away from its triangulation
 /// everywhere costs as much as an edge that bends by 60 degrees.
 const BULGE_UNITS: f64 = 140.0;
-/// Areas are equal if they differ by at most this fraction of the loop's squared size.
-const AREA_ROUNDING: f64 = 1e-14;
-/// Sums of angles are equal if they differ by at most this: a bend of 0 is computed as the root of
-/// round-off.
-const ANGLE_ROUNDING: f64 = 1e-6;
+/// Areas count as equal if they differ by at most this fraction of the loop's squared size.
+const MAX_EQUAL_AREA_DIFFERENCE: f64 = 1e-14;
+/// Sums of angles count as equal if they differ by at most this, in radians. The rounding is large
+/// because a bend of 0 is the square root of a rounding error.
+const MAX_EQUAL_ANGLE_DIFFERENCE: f64 = 1e-6;
 /// A triangle is degenerate if its doubled area is at most this fraction of its sides' squares.
 const MAX_FLAT_RATIO: f64 = 1e-10;
 /// The ends of a side coincide if its length is at most this fraction of the triangle's size.
@@ -186,7 +186,11 @@ impl<'a> Scale<'a> {
 
     /// Creates the scale of loops that are cut open along bridges into one polygon.
     pub(super) fn for_opened(polygon: &'a Polygon, weight: Weight, measure: Measure, bridges: &'a [bool]) -> Self {
-        let rounding = if weight == Weight::Continuation { ANGLE_ROUNDING } else { AREA_ROUNDING * measure.size };
+        let rounding = if weight == Weight::Continuation {
+            MAX_EQUAL_ANGLE_DIFFERENCE
+        } else {
+            MAX_EQUAL_AREA_DIFFERENCE * measure.size
+        };
         Scale { polygon, bridges, weight, rounding, measure }
     }
 

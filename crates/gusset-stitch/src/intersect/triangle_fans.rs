@@ -18,10 +18,12 @@ const OWN_SLOPE: f64 = 1.0 / (1u64 << 46) as f64;
 
 /// For each node of a tree over groups of triangles, the vertex that they share, and the box of
 /// their other corners.
-pub(super) struct Fans(Vec<Fan>);
+pub(super) struct Fans(Vec<SharedApex>);
 
+/// The only vertex that all triangles of a group share, and the bounding box of their other
+/// corners.
 #[derive(Clone, Copy)]
-struct Fan {
+struct SharedApex {
     /// [`NONE`] unless they share exactly one vertex.
     apex: u32,
     others: Aabb,
@@ -51,7 +53,7 @@ impl Fans {
                 (a, b) => a.or(b),
             };
         }
-        let mut fans = alloc::filled(Fan { apex: NONE, others: Aabb::EMPTY }, 2 * leaves)?;
+        let mut fans = alloc::filled(SharedApex { apex: NONE, others: Aabb::EMPTY }, 2 * leaves)?;
         for (node, fan) in fans.iter_mut().enumerate().skip(1) {
             report(node)?;
             let [apex, second, third] = shared[node].unwrap_or([NONE; 3]);
@@ -63,7 +65,7 @@ impl Fans {
             let first = (node * width - leaves) * group;
             let triangles = &order[first.min(order.len())..(first + width * group).min(order.len())];
             let corners = triangles.iter().flat_map(|&t| new[t as usize]).filter(|&v| v != apex);
-            *fan = Fan { apex, others: Aabb::from_points(corners.map(at)) };
+            *fan = SharedApex { apex, others: Aabb::from_points(corners.map(at)) };
         }
         Ok(Fans(fans))
     }

@@ -49,11 +49,12 @@ struct Place {
     weights: [f64; 3],
 }
 
-/// Inserts vertices until no triangle is larger than its size or sharper than [`MIN_ANGLE`], as far
-/// as the rim (the vertices below `rim`) allows. For `taken` see [`PatchMesh::relax`].
+/// Refines a mesh: inserts vertices until no triangle is larger than its size or sharper than
+/// [`MIN_ANGLE`], as far as the rim (the vertices below `rim`) allows. For `taken` see
+/// [`PatchMesh::relax`].
 ///
 /// O(passes * triangles), times the number of triangles at a vertex.
-pub(crate) fn insert(
+pub(crate) fn refine(
     mesh: &mut PatchMesh,
     rim: usize,
     sizing: &mut Sizing,

@@ -25,6 +25,6 @@ mod tests;
 const REPORT_INTERVAL: usize = 1 << 12;
 
 pub(crate) use even::even;
-pub(crate) use insert::insert;
+pub(crate) use insert::refine;
 pub(crate) use patch_mesh::PatchMesh;
 pub(crate) use sizing::{Sizing, size_growth, vertices_needed};

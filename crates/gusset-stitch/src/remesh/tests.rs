@@ -1,6 +1,6 @@
 //! Edits preserve adjacency, and the resulting triangles satisfy the requirements.
 
-use super::{PatchMesh, Sizing, even, insert};
+use super::{PatchMesh, Sizing, even, refine};
 use glam::DVec3;
 use gusset_base::Job;
 use gusset_base::geom::triangle::min_angle;
@@ -107,7 +107,7 @@ fn a_square_is_refined_to_any_size_without_sharp_angles() {
         let mut sizing = sizing(&mesh, size);
         even(&mut mesh, rim, &mut sizing, &NOTHING_TAKEN, &Job::default()).unwrap();
         assert_disc(&mesh, rim);
-        insert(&mut mesh, rim, &mut sizing, &NOTHING_TAKEN, &Job::default()).unwrap();
+        refine(&mut mesh, rim, &mut sizing, &NOTHING_TAKEN, &Job::default()).unwrap();
         mesh.settle(rim, &NOTHING_TAKEN, 3, &Job::default()).unwrap();
         assert_disc(&mesh, rim);
         let whole = f64::from(n * n);
@@ -149,7 +149,7 @@ fn coincident_and_collinear_points_do_not_hang() {
             let mut sizing = sizing(&mesh, size);
             sizing.limit = mesh.points.len() + 50;
             even(&mut mesh, 4, &mut sizing, &NOTHING_TAKEN, &Job::default()).unwrap();
-            insert(&mut mesh, 4, &mut sizing, &NOTHING_TAKEN, &Job::default()).unwrap();
+            refine(&mut mesh, 4, &mut sizing, &NOTHING_TAKEN, &Job::default()).unwrap();
             mesh.settle(4, &NOTHING_TAKEN, 2, &Job::default()).unwrap();
             assert!(mesh.points.iter().all(|p| p.is_finite()));
         }

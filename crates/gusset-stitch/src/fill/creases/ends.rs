@@ -20,7 +20,8 @@ const MIN_SECOND_RATIO: f64 = 0.5;
 const MIN_FOLLOWING: f64 = 0.9;
 /// ... and by less than this angle from the crease's last edge, given as its cosine.
 const MIN_TOTAL_FOLLOWING: f64 = 0.75;
-/// Largest angle between the surfaces on the hole's side at the two ends of a touch, in radians.
+/// Largest angle between the surfaces on the hole's side at the two ends of a crease along
+/// the rim, in radians.
 const MAX_MISFIT: f64 = 0.7;
 
 /// The end of a crease on a rim.
@@ -57,8 +58,8 @@ impl End {
     }
 }
 
-/// A run of rim edges along a crease that does not continue into the hole.
-pub(super) struct Touch {
+/// A run of rim edges along a crease that does not enter the hole.
+pub(super) struct CreaseAlongRim {
     /// The run starts at this vertex and has this number of edges; 0 if the crease only touches the
     /// rim.
     pub(super) first: usize,
@@ -67,7 +68,7 @@ pub(super) struct Touch {
     pub(super) sides: [Vec<u32>; 2],
 }
 
-impl Touch {
+impl CreaseAlongRim {
     pub(super) fn vertices(&self, count: usize) -> impl Iterator<Item = usize> + use<> {
         let first = self.first;
         (0..=self.edges).map(move |k| (first + k) % count)
@@ -83,9 +84,9 @@ pub(super) fn corners(rim: &PatchRim) -> Result<Corners> {
     Buckets::new(rim.count, (0, 0, 0), at_rim)
 }
 
-/// Finds the crease ends on a rim, ordered by their tips, and the touches. No two of them share a
+/// Finds the crease ends on a rim, ordered by their tips, and the creases along it. No two share a
 /// vertex. O(n) for n triangles.
-pub(super) fn find_ends(rim: &PatchRim, corners: &Corners) -> Result<(Vec<End>, Vec<Touch>)> {
+pub(super) fn find_ends(rim: &PatchRim, corners: &Corners) -> Result<(Vec<End>, Vec<CreaseAlongRim>)> {
     let mut bends = Vec::new();
     let mut sharpest = Vec::new();
     for v in 0..rim.count {
@@ -98,7 +99,7 @@ pub(super) fn find_ends(rim: &PatchRim, corners: &Corners) -> Result<(Vec<End>, 
         }
     }
     let usual = median(&bends)?;
-    let (mut ends, mut touches) = (Vec::new(), Vec::new());
+    let (mut ends, mut along_rim) = (Vec::new(), Vec::new());
     for (base, most, own, fan) in sharpest.into_iter().filter(|&(_, most, _, _)| most >= MIN_CONTRAST * usual) {
         let own = &bends[own];
         let sharp = || (0..own.len()).filter(|&k| own[k] > MIN_SECOND_RATIO * most);
@@ -107,17 +108,17 @@ pub(super) fn find_ends(rim: &PatchRim, corners: &Corners) -> Result<(Vec<End>, 
         };
         match sharp().count() {
             1 => alloc::push(&mut ends, crease_end(rim, base, first, &fan)?)?,
-            2 => add_corner(rim, base, [&fan[last + 1..], &fan[..=first]], &mut ends, &mut touches)?,
+            2 => add_corner(rim, base, [&fan[last + 1..], &fan[..=first]], &mut ends, &mut along_rim)?,
             _ => {}
         }
     }
-    let ends = extract_touches(ends, &mut touches, rim.count)?;
-    without_shared_vertices(ends, touches, rim.count)
+    let ends = extract_creases_along_rim(ends, &mut along_rim, rim.count)?;
+    without_shared_vertices(ends, along_rim, rim.count)
 }
 
-/// Turns each pair of ends between which the rim follows a crease into a touch. Returns the other
-/// ends.
-fn extract_touches(ends: Vec<End>, touches: &mut Vec<Touch>, count: usize) -> Result<Vec<End>> {
+/// Replaces each pair of ends between which the rim follows a crease by a crease along the rim.
+/// Returns the remaining ends.
+fn extract_creases_along_rim(ends: Vec<End>, along_rim: &mut Vec<CreaseAlongRim>, count: usize) -> Result<Vec<End>> {
     let mut used = alloc::filled(false, ends.len())?;
     // The ends are in the order of their bases.
     for i in 0..ends.len() {
@@ -129,7 +130,7 @@ fn extract_touches(ends: Vec<End>, touches: &mut Vec<Touch>, count: usize) -> Re
         if i != j && reaches && !used[i] && !used[j] && fits() {
             (used[i], used[j]) = (true, true);
             let sides = [alloc::copied(&a.sides[0])?, alloc::copied(&b.sides[1])?];
-            alloc::push(touches, Touch { first: a.base, edges, sides })?;
+            alloc::push(along_rim, CreaseAlongRim { first: a.base, edges, sides })?;
         }
     }
     let mut used = used.into_iter();
@@ -188,12 +189,12 @@ fn add_corner(
     base: usize,
     fans: [&[(u32, u32)]; 2],
     ends: &mut Vec<End>,
-    touches: &mut Vec<Touch>,
+    along_rim: &mut Vec<CreaseAlongRim>,
 ) -> Result<()> {
     let [(before, n), (after, m)] = [fan_side(rim, fans[0])?, fan_side(rim, fans[1])?];
     let sides = [before, after];
     if angle(n, m) < MIN_BEND {
-        return alloc::push(touches, Touch { first: base, edges: 0, sides });
+        return alloc::push(along_rim, CreaseAlongRim { first: base, edges: 0, sides });
     }
     let corner = rim.points[base];
     let centre = rim.points[..rim.count].iter().sum::<DVec3>() / rim.count as f64;
@@ -234,17 +235,18 @@ fn follow_rim(rim: &PatchRim, base: usize, from: DVec3) -> (isize, DVec3) {
     (steps, last)
 }
 
-/// Keeps the ends and touches that share no rim vertex with another. Sorts the ends by their tips.
+/// Keeps the ends and creases along the rim that share no rim vertex with another. Sorts the ends
+/// by their tips.
 fn without_shared_vertices(
     mut ends: Vec<End>,
-    mut touches: Vec<Touch>,
+    mut along_rim: Vec<CreaseAlongRim>,
     count: usize,
-) -> Result<(Vec<End>, Vec<Touch>)> {
+) -> Result<(Vec<End>, Vec<CreaseAlongRim>)> {
     let mut uses = alloc::filled(0u32, count)?;
     ends.iter().flat_map(|end| end.vertices(count)).for_each(|v| uses[v] += 1);
-    touches.iter().flat_map(|touch| touch.vertices(count)).for_each(|v| uses[v] += 1);
+    along_rim.iter().flat_map(|crease| crease.vertices(count)).for_each(|v| uses[v] += 1);
     ends.retain(|end| end.vertices(count).all(|v| uses[v] == 1));
-    touches.retain(|touch| touch.vertices(count).all(|v| uses[v] == 1));
+    along_rim.retain(|crease| crease.vertices(count).all(|v| uses[v] == 1));
     sort::stable(&mut ends, &|x, y| x.tip.cmp(&y.tip));
-    Ok((ends, touches))
+    Ok((ends, along_rim))
 }

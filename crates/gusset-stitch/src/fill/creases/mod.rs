@@ -58,7 +58,7 @@ pub(super) fn divide(rim: &PatchRim, taken: &dyn Fn(u32, u32) -> bool, limit: Op
         return Ok(None);
     }
     let corners = ends::corners(rim)?;
-    let (ends, touches) = ends::find_ends(rim, &corners)?;
+    let (ends, along_rim) = ends::find_ends(rim, &corners)?;
     let joins = joins::match_ends(rim, &ends)?;
     let mut bridges = CreaseBridges::new(rim, &ends)?;
     // The limit for each end of a curve.
@@ -70,7 +70,7 @@ pub(super) fn divide(rim: &PatchRim, taken: &dyn Fn(u32, u32) -> bool, limit: Op
             (Join::Star { .. }, _) => {}
         }
     }
-    let outlines = Outlines { rim, corners: &corners, ends: &ends, touches: &touches, bridges: &bridges.bridges };
+    let outlines = Outlines { rim, corners: &corners, ends: &ends, along_rim: &along_rim, bridges: &bridges.bridges };
     let parts = outlines.parts(&bridges.points)?;
     Ok(parts.map(|parts| Division { points: bridges.points, parts }))
 }

@@ -2,7 +2,7 @@
 
 use super::super::patch_rim::{OldFaces, PatchRim};
 use super::bridges::Bridge;
-use super::ends::{Corners, End, Touch};
+use super::ends::{Corners, CreaseAlongRim, End};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -42,7 +42,7 @@ pub(super) struct Outlines<'a> {
     pub(super) rim: &'a PatchRim,
     pub(super) corners: &'a Corners,
     pub(super) ends: &'a [End],
-    pub(super) touches: &'a [Touch],
+    pub(super) along_rim: &'a [CreaseAlongRim],
     /// The bridge of each end, if it has one.
     pub(super) bridges: &'a [Option<Bridge>],
 }
@@ -60,14 +60,14 @@ impl Outlines<'_> {
             end.vertices(count).for_each(|v| end_at[v] = Some(k));
         }
         let at = |v: usize| end_at[v].and_then(|k: usize| Some((&self.ends[k], self.bridges[k].as_ref()?)));
-        let mut touch_at = alloc::filled(None, count)?;
-        for (k, touch) in self.touches.iter().enumerate() {
-            touch.vertices(count).for_each(|v| touch_at[v] = Some(k));
+        let mut crease_at = alloc::filled(None, count)?;
+        for (k, crease) in self.along_rim.iter().enumerate() {
+            crease.vertices(count).for_each(|v| crease_at[v] = Some(k));
         }
         let mut parts = Vec::new();
-        if self.bridges.iter().all(Option::is_none) && !self.touches.is_empty() {
+        if self.bridges.iter().all(Option::is_none) && !self.along_rim.is_empty() {
             let mut outline = Outline::new(self);
-            (0..count).try_for_each(|v| outline.follow(v, touch_at[v]))?;
+            (0..count).try_for_each(|v| outline.follow(v, crease_at[v]))?;
             alloc::push(&mut parts, outline)?;
         }
         let mut is_used = alloc::filled(false, self.ends.len())?;
@@ -82,7 +82,7 @@ impl Outlines<'_> {
                     match at(v) {
                         Some((end, bridge)) if v == end.tip => break (end, bridge),
                         Some((end, bridge)) => outline.follow_crease(v, end, bridge.curve)?,
-                        None => outline.follow(v, touch_at[v])?,
+                        None => outline.follow(v, crease_at[v])?,
                     }
                     v = (v + 1) % count;
                 };
@@ -105,7 +105,7 @@ impl Outlines<'_> {
 struct Outline<'a> {
     rim: &'a PatchRim,
     corners: &'a Corners,
-    touches: &'a [Touch],
+    along_rim: &'a [CreaseAlongRim],
     names: Vec<u32>,
     curves: Vec<[u32; 2]>,
     /// The old triangles on this side of the creases.
@@ -113,8 +113,8 @@ struct Outline<'a> {
 }
 
 impl<'a> Outline<'a> {
-    fn new(&Outlines { rim, corners, touches, .. }: &Outlines<'a>) -> Self {
-        Outline { rim, corners, touches, names: Vec::new(), curves: Vec::new(), around: Vec::new() }
+    fn new(&Outlines { rim, corners, along_rim, .. }: &Outlines<'a>) -> Self {
+        Outline { rim, corners, along_rim, names: Vec::new(), curves: Vec::new(), around: Vec::new() }
     }
 
     fn push(&mut self, name: usize, curves: [u32; 2]) -> Result<()> {
@@ -126,20 +126,20 @@ impl<'a> Outline<'a> {
         alloc::extend(&mut self.around, self.corners.get(v).iter().map(|&(t, _, _)| t))
     }
 
-    /// Appends a vertex of the hole's rim, which may lie on a touch.
-    fn follow(&mut self, v: usize, touch: Option<usize>) -> Result<()> {
-        let Some(k) = touch else {
+    /// Appends a vertex of the hole's rim, which may lie on a crease along the rim.
+    fn follow(&mut self, v: usize, crease: Option<usize>) -> Result<()> {
+        let Some(k) = crease else {
             self.push(v, NO_CURVE)?;
             return self.push_faces_at(v);
         };
         // Touches are numbered downwards, because curves are numbered from 0 upwards.
         self.push(v, [NONE - 1 - k as u32, NONE])?;
-        let touch = &self.touches[k];
-        if v == touch.first {
-            alloc::append(&mut self.around, &touch.sides[0])?;
+        let crease = &self.along_rim[k];
+        if v == crease.first {
+            alloc::append(&mut self.around, &crease.sides[0])?;
         }
-        if v == (touch.first + touch.edges) % self.rim.count {
-            alloc::append(&mut self.around, &touch.sides[1])?;
+        if v == (crease.first + crease.edges) % self.rim.count {
+            alloc::append(&mut self.around, &crease.sides[1])?;
         }
         Ok(())
     }
