@@ -66,7 +66,8 @@ def write_readme(entries, path=Path("README.md")):
     text = path.read_text()
     head = (f"The times are medians, measured on two cores on {time.strftime('%Y-%m-%d')}. The first column is our time. The others are the peer's\n"
             "time divided by ours: above 1, gusset is faster. We time gusset and a peer in turn, in one process, on the same arrays. C++ and\n"
-            "Python peers have processes of their own. Our own time differs in those processes too. VTK's strip does not close into a ring.\n")
+            "Python peers run in separate processes. Each process times gusset again, and the ratio uses that time, not the first column. VTK's\n"
+            "strip does not close into a ring.\n")
     begin, end = map(re.escape, MARKS)
     new, count = re.subn(f"(?<={begin}).*?(?={end})", lambda _: f"{head}\n{table(entries)}\n", text, flags=re.DOTALL)
     if count != 1:
