@@ -1,4 +1,6 @@
-//! The text of each status: the first sentence of its comment. Written by `gusset-interface headers`; do not edit.
+//! The text of each status: the first sentence of its comment.
+//!
+//! Written by `gusset-interface headers`; do not edit.
 
 use std::ffi::CStr;
 

@@ -148,8 +148,8 @@ pub struct gusset_host {
     /// First argument of the callbacks.
     pub user: *mut c_void,
     /// Receives the part done, 0 to 1, nondecreasing, and the current work; may be NULL. If the run
-    /// succeeds, the last part is 1. A nonzero return cancels: run ends within 0.1 s for 1,000,000 input and output faces or points.
-    /// Freeing more memory takes longer.
+    /// succeeds, the last part is 1. A nonzero return cancels: run ends within 0.1 s for 1,000,000
+    /// input and output faces or points. Freeing more memory takes longer.
     pub progress: Option<unsafe extern "C" fn(user: *mut c_void, fraction: f64, stage: *const c_char) -> i32>,
     /// Receives remarks that are not failures; may be NULL.
     pub log: Option<unsafe extern "C" fn(user: *mut c_void, message: *const c_char)>,

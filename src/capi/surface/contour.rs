@@ -129,7 +129,8 @@ pub(crate) fn spacing(spacing: gusset_spacing_rule, chord: f64, points: u32) -> 
 /// @param levels rising values of the function; angles from 0 to pi, or to pi / 2 for unsigned
 ///     normals.
 /// @errors OUT_OF_RANGE (non-finite numbers, zero direction, levels not rising, angle, chord,
-///     points), COUNT_DIFFERS (too few values), TOO_LARGE (too many values; 2^32 points), NOT_FINITE (value)
+///     points), COUNT_DIFFERS (too few values), TOO_LARGE (too many values; 2^32 points),
+///     NOT_FINITE (value)
 /// @complexity About O(count + crossed cells), parallel; O(values) for values; O(cells) once for
 ///     angles.
 /// @source Leus, "Carcasses on smooth surfaces", tasks b and d.

@@ -5,7 +5,8 @@ use std::fmt::Write;
 
 fn head(what: &str) -> String {
     format!(
-        "//! The text of each {what}: the first sentence of its comment. Written by `gusset-interface headers`; do not edit.\n\n\
+        "//! The text of each {what}: the first sentence of its comment.\n//!\n\
+         //! Written by `gusset-interface headers`; do not edit.\n\n\
          use std::ffi::CStr;\n\n"
     )
 }
