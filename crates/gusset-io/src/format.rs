@@ -1,0 +1,145 @@
+//! The formats, by the extensions of file names.
+
+use crate::document::Document;
+use crate::error::{Loss, ReadError, WriteError, WriteErrorKind};
+use crate::options::{ReadOptions, WriteOptions};
+use crate::resources::{Resources, Target};
+use crate::{dxf, gltf, obj, off, ply, points, scan_list, stl, svg, three_mf};
+
+/// What a file is read for or written from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Content {
+    /// Meshes.
+    Meshes,
+    /// Polylines.
+    Curves,
+    /// Points without faces.
+    Points,
+}
+
+/// A file format.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Wavefront OBJ, with an MTL library.
+    Obj,
+    /// Polygon File Format.
+    Ply,
+    /// Stereolithography.
+    Stl,
+    /// Geomview's Object File Format, with COFF, NOFF, STOFF and others.
+    Off,
+    /// glTF 2.0 as JSON.
+    Gltf,
+    /// glTF 2.0 in one binary file.
+    Glb,
+    /// 3D Manufacturing Format.
+    ThreeMf,
+    /// List of scans and their poses.
+    ScanList,
+    /// Coordinates separated by white space.
+    Xyz,
+    /// Coordinates separated by commas.
+    Csv,
+    /// Scalable Vector Graphics: outlines.
+    Svg,
+    /// Drawing Exchange Format: outlines and faces.
+    Dxf,
+}
+
+impl Format {
+    /// All formats with their extensions, the usual one first.
+    pub const ALL: [(Self, &'static [&'static str]); 12] = [
+        (Self::Obj, &["obj"]),
+        (Self::Ply, &["ply"]),
+        (Self::Stl, &["stl"]),
+        (Self::Off, &["off", "coff", "noff", "cnoff", "ncoff", "stoff"]),
+        (Self::Gltf, &["gltf"]),
+        (Self::Glb, &["glb"]),
+        (Self::ThreeMf, &["3mf"]),
+        (Self::ScanList, &["conf"]),
+        (Self::Xyz, &["xyz", "pts", "txt"]),
+        (Self::Csv, &["csv"]),
+        (Self::Svg, &["svg"]),
+        (Self::Dxf, &["dxf"]),
+    ];
+
+    /// Returns the format of a file name by its extension, in capitals or not.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        let extension = name.rsplit_once('.')?.1.to_ascii_lowercase();
+        Self::from_extension(&extension)
+    }
+
+    /// Returns the format of an extension in small letters, without the dot.
+    #[must_use]
+    pub fn from_extension(extension: &str) -> Option<Self> {
+        Self::ALL.iter().find(|(_, extensions)| extensions.contains(&extension)).map(|(format, _)| *format)
+    }
+
+    /// Returns the usual extension without the dot.
+    #[must_use]
+    pub fn extension(self) -> &'static str {
+        Self::ALL.iter().find(|(format, _)| *format == self).map_or("", |(_, extensions)| extensions[0])
+    }
+
+    /// Returns whether a file of this format can hold the content when it is written.
+    #[must_use]
+    pub fn holds(self, content: Content) -> bool {
+        match content {
+            Content::Meshes => !matches!(self, Self::ScanList | Self::Xyz | Self::Csv | Self::Svg | Self::Dxf),
+            Content::Curves => matches!(self, Self::Obj | Self::Svg | Self::Dxf | Self::Xyz | Self::Csv),
+            Content::Points => matches!(self, Self::Obj | Self::Ply | Self::Xyz | Self::Csv),
+        }
+    }
+}
+
+/// Reads a file from memory. `resources` gives the files that it refers to.
+///
+/// # Errors
+/// See [`ReadErrorKind`](crate::ReadErrorKind). Takes time linear in the file.
+pub fn read(
+    bytes: &[u8],
+    format: Format,
+    resources: &dyn Resources,
+    options: &ReadOptions,
+) -> Result<Document, ReadError> {
+    match format {
+        Format::Obj => obj::read_obj(bytes, resources, options),
+        Format::Ply => ply::read_ply(bytes, options),
+        Format::Stl => stl::read_stl(bytes, options),
+        Format::Off => off::read_off(bytes, options),
+        Format::Gltf | Format::Glb => gltf::read_gltf(bytes, resources, options),
+        Format::ThreeMf => three_mf::read_3mf(bytes, options),
+        Format::ScanList => scan_list::read_scan_list(bytes, resources, options),
+        Format::Xyz => points::read_xyz(bytes, options),
+        Format::Csv => points::read_csv(bytes, options),
+        Format::Svg => svg::read_svg(bytes, options),
+        Format::Dxf => dxf::read_dxf(bytes, options),
+    }
+}
+
+/// Writes a file of the document's meshes, curves or points. Returns what the format could not hold.
+///
+/// # Errors
+/// See [`WriteErrorKind`].
+pub fn write(
+    document: &Document,
+    format: Format,
+    target: &mut Target<'_>,
+    options: &WriteOptions,
+) -> Result<Vec<Loss>, WriteError> {
+    match format {
+        Format::Obj => obj::write_obj(document, target, options),
+        Format::Ply => ply::write_ply(document, target, options),
+        Format::Stl => stl::write_stl(document, target, options),
+        Format::Off => off::write_off(document, target, options),
+        Format::Gltf => gltf::write_gltf(document, target, options),
+        Format::Glb => gltf::write_glb(document, target, options),
+        Format::ThreeMf => three_mf::write_3mf(document, target, options),
+        Format::ScanList => Err(WriteError::new(WriteErrorKind::Unsupported, "lists of scans are read, not written")),
+        Format::Xyz => points::write_xyz(document, target, options),
+        Format::Csv => points::write_csv(document, target, options),
+        Format::Svg => svg::write_svg(document, target, options),
+        Format::Dxf => dxf::write_dxf(document, target, options),
+    }
+}

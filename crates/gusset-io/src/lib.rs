@@ -1,0 +1,46 @@
+//! Files of meshes, curves and points.
+//!
+//! [`read`] makes a [`Document`] from the bytes of a file, and [`write`] makes a file from a document. Both work in memory.
+//! [`read_file`] and [`write_file`] work on paths: they open regular files only, follow no name out of the file's folder, and replace
+//! a file only once the new one is complete.
+//!
+//! Readers accept what is clear although it breaks a format's rules, and say so in a [`Note`]. They refuse what is not clear, and name
+//! the line or element. Each reader takes time linear in the file, and memory of at most [`MEMORY_MULTIPLE`] times its size.
+//!
+//! One folder holds one format. `document`, `mesh` and `material` are the model that all formats share; `text` reads and writes numbers
+//! and words; `polygons` splits polygons into triangles; `precision` tells what single precision would move.
+
+mod document;
+mod error;
+mod files;
+mod format;
+mod material;
+mod mesh;
+mod options;
+mod polygons;
+mod precision;
+mod resources;
+mod text;
+
+mod dxf;
+mod gltf;
+mod obj;
+mod off;
+mod ply;
+mod points;
+mod scan_list;
+mod stl;
+mod svg;
+mod three_mf;
+
+pub use document::{Curves, Document, Placement, PointCloud};
+pub use error::{Loss, Note, Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
+pub use files::{read_file, write_file};
+pub use format::{Content, Format, read, write};
+pub use material::{Image, ImageData, Material, NO_MATERIAL, NativeMaterial};
+pub use mesh::{Domain, Mesh, NumberKind, Positions, Property, Values};
+pub use options::{ReadOptions, WriteOptions};
+pub use resources::{NoResources, Resources, Target};
+
+/// Largest memory that a reader takes, as a multiple of the size of the file and of the files that it refers to.
+pub const MEMORY_MULTIPLE: u64 = 32;

@@ -1,0 +1,14 @@
+//! ply
+
+use crate::document::Document;
+use crate::error::{Loss, ReadError, WriteError, WriteErrorKind};
+use crate::options::{ReadOptions, WriteOptions};
+use crate::resources::{Resources, Target};
+
+pub(crate) fn read_ply(_: &[u8], _: &ReadOptions) -> Result<Document, ReadError> {
+    Err(ReadError::unsupported("not yet"))
+}
+
+pub(crate) fn write_ply(_: &Document, _: &mut Target<'_>, _: &WriteOptions) -> Result<Vec<Loss>, WriteError> {
+    Err(WriteError::new(WriteErrorKind::Unsupported, "not yet"))
+}

@@ -1,0 +1,22 @@
+//! points
+
+use crate::document::Document;
+use crate::error::{Loss, ReadError, WriteError, WriteErrorKind};
+use crate::options::{ReadOptions, WriteOptions};
+use crate::resources::{Resources, Target};
+
+pub(crate) fn read_xyz(_: &[u8], _: &ReadOptions) -> Result<Document, ReadError> {
+    Err(ReadError::unsupported("not yet"))
+}
+
+pub(crate) fn write_xyz(_: &Document, _: &mut Target<'_>, _: &WriteOptions) -> Result<Vec<Loss>, WriteError> {
+    Err(WriteError::new(WriteErrorKind::Unsupported, "not yet"))
+}
+
+pub(crate) fn write_csv(_: &Document, _: &mut Target<'_>, _: &WriteOptions) -> Result<Vec<Loss>, WriteError> {
+    Err(WriteError::new(WriteErrorKind::Unsupported, "not yet"))
+}
+
+pub(crate) fn read_csv(_: &[u8], _: &ReadOptions) -> Result<Document, ReadError> {
+    Err(ReadError::unsupported("not yet"))
+}

@@ -1,0 +1,45 @@
+//! Files beside the one that is read or written.
+
+use crate::error::{ReadError, ReadErrorKind, WriteError};
+use std::io::Write;
+
+/// Gives the bytes of files that a file refers to: material libraries, buffers, images, scans.
+pub trait Resources {
+    /// Returns the bytes of the file `name`, which is relative to the folder of the referring file.
+    ///
+    /// # Errors
+    /// `Unreadable` if the file does not exist, is not a regular file or is outside of the folder. `OutOfMemory`.
+    fn load(&self, name: &str) -> Result<Vec<u8>, ReadError>;
+}
+
+/// Refuses all names.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NoResources;
+
+impl Resources for NoResources {
+    fn load(&self, name: &str) -> Result<Vec<u8>, ReadError> {
+        Err(ReadError::new(ReadErrorKind::Unreadable, format!("the file {name} was not given")))
+    }
+}
+
+/// Receives a written file and the files beside it.
+pub struct Target<'a> {
+    /// The file.
+    pub main: &'a mut dyn Write,
+    /// Name of the file without folder and extension, from which names of files beside it are made.
+    pub stem: &'a str,
+    /// Receives files beside it: name and bytes.
+    pub beside: &'a mut dyn FnMut(&str, &[u8]) -> std::io::Result<()>,
+    /// Gives the images that the document names.
+    pub resources: &'a dyn Resources,
+}
+
+impl Target<'_> {
+    /// Writes a file beside the main one.
+    ///
+    /// # Errors
+    /// `Unwritable`.
+    pub fn write_beside(&mut self, name: &str, bytes: &[u8]) -> Result<(), WriteError> {
+        (self.beside)(name, bytes).map_err(WriteError::from)
+    }
+}
