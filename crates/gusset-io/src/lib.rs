@@ -34,7 +34,7 @@ mod svg;
 mod three_mf;
 
 pub use document::{Curves, Document, Placement, PointCloud};
-pub use error::{Loss, Note, Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
+pub use error::{Loss, Note, Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind, printable};
 pub use files::{read_file, write_file};
 pub use format::{Content, Format, read, write};
 pub use material::{Image, ImageData, Material, NO_MATERIAL, NativeMaterial};
