@@ -209,8 +209,13 @@ impl Builder {
         let choices: Vec<String> = param.choices().iter().map(|(label, _)| slug(label)).collect();
         let mut help = if self.in_full { param.help().to_owned() } else { param.label().to_owned() };
         help = help.trim_end_matches('.').to_owned();
-        if param.kind() != ParamKind::Bool || param.default_values()[0] != 0.0 {
-            help += &format!(" [default: {}]", print_value(param, param.default_values()));
+        let default = print_value(param, param.default_values());
+        if param.kind() == ParamKind::Choice {
+            let words: Vec<String> =
+                choices.iter().map(|word| format!("{word}{}", if *word == default { "*" } else { "" })).collect();
+            help += &format!(": {}", words.join(", "));
+        } else if param.kind() != ParamKind::Bool || param.default_values()[0] != 0.0 {
+            help += &format!(" [{default}]");
         }
         let made = Arg::new(slug(param.id()))
             .long(slug(param.id()))
@@ -224,9 +229,11 @@ impl Builder {
                 .default_missing_value("true")
                 .value_parser(["true", "false"])
                 .hide_possible_values(true),
-            ParamKind::Choice => {
-                made.value_name("CHOICE").value_parser(PossibleValuesParser::new(choices)).allow_hyphen_values(false)
-            }
+            ParamKind::Choice => made
+                .value_name("CHOICE")
+                .value_parser(PossibleValuesParser::new(choices))
+                .hide_possible_values(true)
+                .allow_hyphen_values(false),
             ParamKind::Integer => made.value_name("N"),
             ParamKind::Length => made.value_name("LENGTH"),
             ParamKind::Angle => made.value_name("DEGREES"),
@@ -289,7 +296,7 @@ impl Builder {
     }
 }
 
-const PARAMETERS: &str = "Parameters";
+const PARAMETERS: &str = "Parameters (* and [] are defaults)";
 const FILES: &str = "Files";
 
 fn flag(name: &'static str) -> Arg {

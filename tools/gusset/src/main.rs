@@ -7,6 +7,7 @@ mod batch;
 mod carry;
 mod commands;
 mod failure;
+mod html;
 mod info;
 mod pages;
 mod pieces;
@@ -178,6 +179,9 @@ fn run_filter(
 
 fn run_each(filter: Filter, request: &run::RunRequest, batch: &request::BatchOptions) -> Result<Vec<Value>, Failure> {
     let writes = filter.output_kinds().iter().any(|&kind| kind != OutputKind::Text);
+    if request.html.is_some() {
+        return Err(Failure::usage("--html shows the result of one file"));
+    }
     if !request.outputs.is_empty() || (writes && batch.out_dir.is_none() && !request.is_dry) {
         return Err(Failure::usage(format!(
             "{} works on one file at a time: name a folder for the results with --out-dir",
@@ -292,7 +296,7 @@ fn suggested_values(filter: Filter, options: &ArgMatches) -> Result<Option<Vec<f
         Ok(if filter.input_kind(place) == OutputKind::Curves {
             Geometry::Curves(reading.curves(file)?)
         } else {
-            Geometry::Mesh(reading.mesh(file)?.mesh)
+            Geometry::Mesh(reading.mesh(file)?)
         })
     };
     let geometry: Vec<Geometry> = files.iter().enumerate().map(read).collect::<Result<_, Failure>>()?;

@@ -32,7 +32,7 @@ pub(crate) fn describe_curves(path: &str, curves: &Curves) -> Value {
 
 pub(crate) fn describe_geometry(path: &str, geometry: &Geometry) -> Value {
     match geometry {
-        Geometry::Mesh(mesh) => describe_mesh(path, mesh),
+        Geometry::Mesh(piece) => describe_mesh(path, &piece.mesh),
         Geometry::Curves(curves) => describe_curves(path, curves),
     }
 }

@@ -44,7 +44,7 @@ pub(crate) fn writing(options: &ArgMatches) -> Writing {
         options: WriteOptions {
             text: has_flag(options, "text"),
             lossy: has_flag(options, "lossy"),
-            stop: Some(Arc::new(|| crate::steering::STOP.load(std::sync::atomic::Ordering::Relaxed))),
+            stop: Some(Arc::new(crate::steering::is_stopped)),
         },
         to: option::<String>(options, "to").and_then(|word| Format::from_extension(&word)),
     }
@@ -81,6 +81,7 @@ pub(crate) fn run_request(
         threads: option(options, "threads").unwrap_or(0),
         progress: has_flag(options, "progress") || std::io::IsTerminal::is_terminal(&std::io::stderr()),
         cancel_after: option::<Duration>(options, "cancel-after"),
+        html: option::<OsString>(options, "html").map(PathBuf::from),
     })
 }
 

@@ -2,8 +2,9 @@
 
 use crate::carry::carry;
 use crate::failure::{Exit, Failure, Refusal, counted};
+use crate::html;
 use crate::pieces::{Piece, attribute_names};
-use crate::plugin::{Filter, Geometry, Inputs, OutputKind, Outputs, RunError};
+use crate::plugin::{Domain, Filter, Geometry, Inputs, OutputKind, Outputs, RunError};
 use crate::reading::{FileName, Reading};
 use crate::report::{describe_curves, describe_geometry, describe_mesh, describe_values, number};
 use crate::steering::Steering;
@@ -11,6 +12,7 @@ use crate::values::parse_values;
 use crate::writing::{Writing, print};
 use gusset_io::{Content, Document, Positions};
 use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// What a command asks for.
@@ -28,6 +30,8 @@ pub(crate) struct RunRequest {
     pub(crate) threads: u32,
     pub(crate) progress: bool,
     pub(crate) cancel_after: Option<Duration>,
+    /// Page that shows the result.
+    pub(crate) html: Option<PathBuf>,
 }
 
 /// Runs a filter, prints its texts unless JSON is asked for, and writes its results. Returns the report.
@@ -48,46 +52,44 @@ pub(crate) fn run(filter: Filter, request: &RunRequest) -> Result<Value, Failure
         "parameters": describe_values(filter, &values),
         "outputs": [],
     });
-    let origins = filter.plugin().carries_attributes() && loaded.carries_attributes();
+    let origins = filter.plugin().carries_attributes() && (loaded.carries_attributes() || request.html.is_some());
     let steering = Steering::new(request.progress, request.cancel_after);
     let outputs = filter.run(&loaded.inputs, &values, request.threads, origins, &steering);
     let late = steering.time_since_deadline();
     steering.finish();
     let outputs = outputs.map_err(|error| failure(error, filter, request, late))?;
     write_outputs(&outputs, &files, &loaded, request, &mut report)?;
+    if let Some(path) = &request.html {
+        write_page(path, &outputs, &loaded, request, &report)?;
+    }
     Ok(report)
 }
 
-/// Inputs with the materials of meshes.
+/// Inputs that were read.
 struct Loaded {
     inputs: Inputs,
-    /// One for each input; without the mesh, which is in `inputs`. Empty for curves.
-    pieces: Vec<Piece>,
 }
 
 impl Loaded {
     fn read(filter: Filter, request: &RunRequest) -> Result<Self, Failure> {
-        let (mut geometry, mut pieces) = (Vec::new(), Vec::new());
-        for (place, file) in request.inputs.iter().enumerate() {
-            if filter.input_kind(place) == OutputKind::Curves {
-                geometry.push(Geometry::Curves(request.reading.curves(file)?));
-                pieces.push(Piece::default());
+        let read = |(place, file): (usize, &FileName)| {
+            Ok(if filter.input_kind(place) == OutputKind::Curves {
+                Geometry::Curves(request.reading.curves(file)?)
             } else {
-                let piece = request.reading.mesh(file)?;
-                geometry.push(Geometry::Mesh(piece.mesh.clone()));
-                pieces.push(piece);
-            }
-        }
-        Ok(Self { inputs: Inputs::new(geometry), pieces })
+                Geometry::Mesh(request.reading.mesh(file)?)
+            })
+        };
+        let geometry = request.inputs.iter().enumerate().map(read).collect::<Result<_, Failure>>()?;
+        Ok(Self { inputs: Inputs::new(geometry) })
     }
 
     fn meshes(&self) -> Vec<&Piece> {
-        let with_geometry = self.pieces.iter().zip(self.inputs.geometry());
-        with_geometry.filter(|(_, geometry)| matches!(geometry, Geometry::Mesh(_))).map(|(piece, _)| piece).collect()
+        let piece = |geometry| if let Geometry::Mesh(piece) = geometry { Some(piece) } else { None };
+        self.inputs.geometry().iter().filter_map(piece).collect()
     }
 
     fn carries_attributes(&self) -> bool {
-        self.pieces.iter().any(|piece| !attribute_names(&piece.mesh).is_empty())
+        self.meshes().iter().any(|piece| !attribute_names(&piece.mesh).is_empty())
     }
 
     /// Returns whether all meshes have single precision.
@@ -244,6 +246,29 @@ fn write_mesh(
     let mut made = describe_mesh(&file.shown(), &piece.mesh);
     made["lost"] = json!(request.writing.write(file, &piece.into_document(), lost)?);
     Ok(made)
+}
+
+/// Writes the page that shows the first output mesh beside the inputs.
+fn write_page(
+    path: &Path,
+    outputs: &Outputs,
+    loaded: &Loaded,
+    request: &RunRequest,
+    report: &Value,
+) -> Result<(), Failure> {
+    let index = (0..outputs.count()).find(|&index| outputs.kind(index) == OutputKind::Mesh);
+    let mesh = index.and_then(|index| outputs.mesh(index));
+    let (Some(index), Some(mesh)) = (index, mesh) else {
+        return Err(Failure::usage(format!("{} makes no mesh for --html to show", request.command)));
+    };
+    let sources = outputs.origins(index).and_then(|origins| origins.sources(Domain::Faces));
+    let input =
+        |face: usize| sources.as_ref().map_or(Some(0), |sources| sources.single(face).map(|(input, _)| input as u32));
+    let inputs = (0..mesh.face_count()).map(input).collect();
+    let names: Vec<String> = request.inputs.iter().map(FileName::shown).collect();
+    let lines: Vec<&str> = report["report"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+    let title = format!("{}: {}", request.command, names.join(", "));
+    html::write_page(path, &title, &lines.join("; "), &loaded.meshes(), &html::Body { mesh: &mesh, inputs })
 }
 
 /// Returns points in single precision if that keeps all of them.

@@ -2,26 +2,31 @@
 
 use crate::plugin::Watcher;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use signal_hook::consts::{SIGINT, SIGTERM};
 use std::io::IsTerminal;
-use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
 use std::time::{Duration, Instant};
 
-/// True once the user has asked to stop, or the time is over.
-pub(crate) static STOP: AtomicBool = AtomicBool::new(false);
+/// Returns the flag that becomes true once the user asks to stop. The first call catches Ctrl-C and SIGTERM: the first one sets the
+/// flag, and a second one ends the program at once.
+pub(crate) fn stop_flag() -> &'static Arc<AtomicBool> {
+    static FLAG: OnceLock<Arc<AtomicBool>> = OnceLock::new();
+    FLAG.get_or_init(|| {
+        const STATUS_OF_INTERRUPT: i32 = 130;
+        let flag = Arc::new(AtomicBool::new(false));
+        for signal in [SIGINT, SIGTERM] {
+            // Without the handlers a signal ends the program, as usual.
+            let _ = signal_hook::flag::register_conditional_shutdown(signal, STATUS_OF_INTERRUPT, Arc::clone(&flag));
+            let _ = signal_hook::flag::register(signal, Arc::clone(&flag));
+        }
+        flag
+    })
+}
 
-/// Catches Ctrl-C. The first one cancels; a second one ends the program at once.
-pub(crate) fn catch_interrupts() {
-    static CAUGHT: OnceLock<()> = OnceLock::new();
-    CAUGHT.get_or_init(|| {
-        // Without the handler Ctrl-C ends the program, as usual.
-        let _ = ctrlc::set_handler(|| {
-            const STATUS_OF_INTERRUPT: i32 = 130;
-            if STOP.swap(true, Ordering::SeqCst) {
-                std::process::exit(STATUS_OF_INTERRUPT);
-            }
-        });
-    });
+/// Returns whether the user has asked to stop.
+pub(crate) fn is_stopped() -> bool {
+    stop_flag().load(Ordering::Relaxed)
 }
 
 /// Follows one run.
@@ -36,7 +41,7 @@ pub(crate) struct Steering {
 impl Steering {
     /// `shown`: progress goes to standard error. `cancel_after`: time from now.
     pub(crate) fn new(shown: bool, cancel_after: Option<Duration>) -> Self {
-        catch_interrupts();
+        stop_flag();
         let is_terminal = std::io::stderr().is_terminal();
         let bar = (shown && is_terminal).then(|| {
             const STEPS: u64 = 1000;
@@ -91,7 +96,7 @@ impl Watcher for Steering {
         } else if !self.is_terminal {
             self.show_line(fraction, stage);
         }
-        STOP.load(Ordering::Relaxed) || self.time_since_deadline().is_some()
+        is_stopped() || self.time_since_deadline().is_some()
     }
 
     fn remark(&self, text: &str) {

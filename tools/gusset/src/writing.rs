@@ -68,8 +68,7 @@ impl Writing {
             FileName::Standard => self.write_standard(document, self.format(file)?),
         };
         let losses = losses.map_err(|error| {
-            let is_stopped = error.kind == WriteErrorKind::Unwritable
-                && crate::steering::STOP.load(std::sync::atomic::Ordering::Relaxed);
+            let is_stopped = error.kind == WriteErrorKind::Unwritable && crate::steering::is_stopped();
             if is_stopped { Failure::new(Exit::Cancelled, "cancelled") } else { write_failure(&shown, &error) }
         })?;
         let mut lost = lost_before;

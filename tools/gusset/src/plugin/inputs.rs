@@ -1,5 +1,6 @@
 //! Inputs of filters.
 
+use crate::pieces::Piece;
 use gusset::capi::plugin::descriptor::*;
 use gusset_io::{Curves, Mesh, Positions};
 use std::ffi::c_void;
@@ -8,7 +9,7 @@ use std::ptr;
 /// A mesh or curves.
 #[derive(Clone, Debug)]
 pub(crate) enum Geometry {
-    Mesh(Mesh),
+    Mesh(Piece),
     Curves(Curves),
 }
 
@@ -40,7 +41,7 @@ impl Inputs {
             .iter()
             .zip(&closed)
             .map(|(one, closed)| match one {
-                Geometry::Mesh(mesh) => ViewStruct::Mesh(Box::new(mesh_view(mesh))),
+                Geometry::Mesh(piece) => ViewStruct::Mesh(Box::new(mesh_view(&piece.mesh))),
                 Geometry::Curves(curves) => ViewStruct::Curves(Box::new(curves_view(curves, closed))),
             })
             .collect();

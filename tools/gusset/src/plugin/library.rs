@@ -129,7 +129,10 @@ fn library_candidates() -> Vec<OsString> {
     let name = library_name();
     let folder =
         std::env::current_exe().ok().and_then(|program| Some(program.canonicalize().ok()?.parent()?.to_path_buf()));
-    let beside = folder.iter().flat_map(|folder| [folder.join(&name), folder.join("../lib").join(&name)]);
+    let unversioned = format!("{}gusset{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
+    let beside = folder
+        .iter()
+        .flat_map(|folder| [folder.join(&name), folder.join(&unversioned), folder.join("../lib").join(&name)]);
     let mut candidates: Vec<OsString> = beside.filter(|path| path.exists()).map(PathBuf::into_os_string).collect();
     candidates.push(name.into());
     candidates

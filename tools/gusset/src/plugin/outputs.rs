@@ -78,6 +78,11 @@ impl Outputs {
         }
     }
 
+    pub(crate) fn count(&self) -> u32 {
+        // SAFETY: outputs of a run.
+        unsafe { (self.plugin.tables().output_count)(self.raw) }
+    }
+
     pub(crate) fn kind(&self, index: u32) -> OutputKind {
         // SAFETY: outputs of a run.
         OutputKind::from_code(unsafe { (self.plugin.tables().output_kind)(self.raw, index) })
