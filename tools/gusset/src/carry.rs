@@ -1,4 +1,4 @@
-//! What inputs carry, brought over to an output: old elements keep it, new ones get it from their sources.
+//! Brings the attributes of inputs over to an output: old elements keep them, new ones get them from their sources.
 
 use crate::failure::{Exit, Failure};
 use crate::pieces::{Piece, attribute_names};

@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// What a command asks for.
+/// The inputs, outputs and choices of a command.
 #[derive(Clone)]
 pub(crate) struct RunRequest {
     pub(crate) command: String,

@@ -1,4 +1,4 @@
-//! What a plugin calls during a run.
+//! Callbacks of a run: progress, remarks, cancelling.
 
 use gusset::capi::plugin::descriptor::gusset_host;
 use std::ffi::{CStr, c_char, c_void};
