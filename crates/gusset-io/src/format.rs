@@ -6,7 +6,7 @@ use crate::options::{ReadOptions, WriteOptions};
 use crate::resources::{Resources, Target};
 use crate::{dxf, gltf, obj, off, ply, points, scan_list, stl, svg, three_mf};
 
-/// What a file is read for or written from.
+/// Content of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Content {
     /// Meshes.
