@@ -15,6 +15,7 @@ mod error;
 mod files;
 mod format;
 mod material;
+mod merging;
 mod mesh;
 mod options;
 mod polygons;
