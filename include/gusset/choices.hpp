@@ -118,7 +118,7 @@ enum class CorrespondenceRule : uint32_t {
 /// Direction in which nodes move. See ::gusset_offset_direction.
 enum class OffsetDirection : uint32_t { normal = GUSSET_OFFSET_NORMAL, in_section = GUSSET_OFFSET_IN_SECTION };
 
-/// The type of coordinates. See ::gusset_scalar.
+/// Type of coordinates. See ::gusset_scalar.
 enum class Scalar : uint32_t { f32 = GUSSET_F32, f64 = GUSSET_F64 };
 
 /// The type of indices. See ::gusset_index.
@@ -310,7 +310,7 @@ enum class AlignedReason : uint32_t {
     trusted_by_none = GUSSET_ALIGNED_TRUSTED_BY_NONE
 };
 
-/// Treatment of edges with three or more faces. See ::gusset_non_manifold.
+/// Treatment of non-manifold edges. See ::gusset_non_manifold.
 enum class NonManifold : uint32_t { cut = GUSSET_NON_MANIFOLD_CUT, stop = GUSSET_NON_MANIFOLD_STOP };
 
 /// Part of the mesh that is checked. See ::gusset_survey.
@@ -409,7 +409,7 @@ enum class GluingType : uint32_t {
 /// Element that has a local gluing. See ::gusset_gluing_place.
 enum class GluingPlace : uint32_t { node = GUSSET_GLUING_PLACE_NODE, cell = GUSSET_GLUING_PLACE_CELL };
 
-/// Standard shape, the measures that it reads, the least rows x columns. See ::gusset_net_shape.
+/// Standard shape, its measures, the least rows x columns. See ::gusset_net_shape.
 enum class NetShape : uint32_t {
     plane = GUSSET_NET_PLANE,
     sphere = GUSSET_NET_SPHERE,
@@ -481,7 +481,7 @@ enum class NetFaces : uint32_t {
     triangles_fixed = GUSSET_NET_TRIANGLES_FIXED
 };
 
-/// Faces by which the given mesh represents each cell of the grid. See ::gusset_grid_cells.
+/// Faces of a cell of the given grid. See ::gusset_grid_cells.
 enum class GridCells : uint32_t { quads = GUSSET_GRID_QUADS, triangles = GUSSET_GRID_TRIANGLES };
 
 /// Direction within a net. See ::gusset_direction.

@@ -1,4 +1,5 @@
-//! Meshes: Views of polygon meshes in memory of the caller or of a result.
+//! Meshes: Polygon meshes in memory of the caller or of a result. An edge with one face is a
+//! boundary edge, with three or more a non-manifold edge.
 
 pub mod result;
 pub mod join;
@@ -32,7 +33,7 @@ use crate::mesh::{Faces, MAX_ELEMENTS, Mesh, MeshView, PositionBuffer, Positions
 use gusset_base::alloc;
 use std::ffi::c_void;
 
-/// The type of coordinates.
+/// Type of coordinates.
 pub type gusset_scalar = u32;
 /// 32-bit floats.
 pub const GUSSET_F32: gusset_scalar = 1;
@@ -55,13 +56,12 @@ pub struct gusset_indices {
     pub count: usize,
 }
 
-/// Polygon mesh in the caller's arrays (input), or in the arrays of a result (output). Input arrays
-/// may have any alignment, and must not change during the call; their lengths are not checked.
-/// Counts are checked before elements. An output has packed positions, face_offsets, and face_size
-/// 0. An input has
-/// - at least one vertex and one face (EMPTY_MESH),
+/// Polygon mesh in arrays of the caller (input) or of a result (output). Input arrays must not
+/// change during the call; their lengths are not checked. Counts are checked before elements.
+/// Outputs have packed positions, face_offsets, and face_size 0. Inputs have
+/// - a vertex and a face (EMPTY_MESH),
 /// - at most 2^32 - 2 vertices, and as many corners (TOO_LARGE),
-/// - at least 3 corners in each face (FACE_TOO_SMALL),
+/// - at least 3 corners a face (FACE_TOO_SMALL),
 /// - indices below vertex_count (INDEX_OUT_OF_RANGE),
 /// - finite coordinates at vertices of faces (NOT_FINITE),
 /// - a valid layout (BAD_STRIDE, BAD_FACE_LAYOUT, BAD_OFFSETS, BAD_MERGE).
@@ -91,10 +91,10 @@ pub struct gusset_mesh_view {
     pub face_size: u32,
     /// 0.
     pub reserved: u32,
-    /// Representative of each vertex, itself or another vertex; or NULL. Vertices with the same
-    /// representative are one vertex of the surface, so texture seams are not borders; see
-    /// gusset_mesh_find_merge. A representative represents itself, and its position counts. Results
-    /// list representatives; their faces keep the given vertices.
+    /// Representative of each vertex, or NULL. Vertices with one representative are one vertex of
+    /// the surface, so texture seams are not borders; see gusset_mesh_find_merge. A representative
+    /// represents itself, and its position counts. Results list representatives; their faces keep
+    /// the given vertices.
     pub merge: *const c_void,
 }
 
