@@ -59,14 +59,14 @@ GUSSET_PLUGIN_API GUSSET_PLUGIN_MUST_USE const struct gusset_plugin *gusset_plug
 #define GUSSET_PLUGIN_VALUE_U16 4
 /// 32-bit unsigned integers.
 #define GUSSET_PLUGIN_VALUE_U32 5
-/// Weighted mean, as for colours; integers are rounded.
+/// Weighted mean; integers are rounded.
 #define GUSSET_PLUGIN_RULE_LINEAR 0
 /// Directions of three floats: mean on the sphere, of length 1. Directions of faces that were turned over are negated.
 #define GUSSET_PLUGIN_RULE_NORMAL 1
 /// Skin weights: weighted mean; the max_influences largest are kept, scaled to sum 1 or an integer type's largest
 /// value.
 #define GUSSET_PLUGIN_RULE_SKIN_WEIGHTS 2
-/// Value of the source with the largest weight, as for materials and ids.
+/// Value of the source with the largest weight.
 #define GUSSET_PLUGIN_RULE_NEAREST 3
 /// Texture coordinates. Corners of new faces get the mean if both sides are on one chart; else each side's chart
 /// continues to a seam in the middle.
@@ -107,7 +107,7 @@ typedef struct gusset_plugin_origins {
     const uint32_t *offsets;
     /// Elements, numbered through all inputs.
     const uint32_t *sources;
-    /// Weight of each source, above 0; sum 1 for each element.
+    /// Weight of each source, above 0, sum 1.
     const double *weights;
     size_t input_count;
     /// Input i has sources starts[i] to starts[i + 1] - 1.
@@ -201,14 +201,14 @@ typedef struct gusset_plugin_mesh {
     const void *positions;
     /// Stride of positions.
     size_t position_stride;
-    /// Number of vertices, 1 to 2^32 - 2.
+    /// 1 to 2^32 - 2.
     size_t vertex_count;
     /// face_count + 1 entries from 0: face f has corners face_offsets[f] to face_offsets[f + 1] - 1. NULL with
     /// face_size, not in outputs.
     const void *face_offsets;
     /// Vertex of each corner, face by face.
     const void *face_corners;
-    /// Number of faces, at least 1 in an input.
+    /// At least 1 in an input.
     size_t face_count;
     /// GUSSET_PLUGIN_F32 or GUSSET_PLUGIN_F64; 0 is invalid.
     uint32_t scalar;
@@ -217,8 +217,8 @@ typedef struct gusset_plugin_mesh {
     /// Corners of every face, or 0 with face_offsets.
     uint32_t face_size;
     uint32_t reserved;
-    /// Representative of each vertex, which represents itself; NULL: all are separate. Vertices with one representative
-    /// are one, so seams are not borders.
+    /// Representative of each vertex, itself or one that represents itself; NULL: all are separate. Vertices with one
+    /// representative are one, so seams are not borders.
     const void *merge;
 } gusset_plugin_mesh;
 
@@ -229,13 +229,13 @@ typedef struct gusset_plugin_curves {
     const void *points;
     /// Stride of points.
     size_t point_stride;
-    /// Number of points, at most 2^32 - 2.
+    /// At most 2^32 - 2.
     size_t point_count;
     /// curve_count + 1 32-bit entries, nondecreasing from 0 to point_count; may be NULL without curves.
     const void *offsets;
     /// For each curve 0 (open) or 1 (closed); NULL: all open.
     const uint8_t *closed;
-    /// Number of curves, at most 2^32 - 2.
+    /// At most 2^32 - 2.
     size_t curve_count;
     /// GUSSET_PLUGIN_F32 or GUSSET_PLUGIN_F64.
     uint32_t scalar;
@@ -289,7 +289,7 @@ typedef struct gusset_param_info {
     const char *help;
     /// GUSSET_PARAM_...
     uint32_t kind;
-    /// Number of values: 3 for points and directions, 4 for planes, else 1.
+    /// 3 for points and directions, 4 for planes, else 1.
     uint32_t arity;
     /// Least value of each component.
     double min;
@@ -347,7 +347,8 @@ typedef struct gusset_filter {
                        uint32_t input_count,
                        double *values);
     /// Runs the filter. host: NULL for no callbacks and all threads. values: the first value_count; suggest gives the
-    /// rest. outputs: receives the outputs or the reason of a failure; free it. It is NULL only if memory ran out.
+    /// rest. outputs: receives the outputs or the reason of a failure; call output_free in both cases. *outputs is NULL
+    /// only if memory ran out.
     int32_t (*run)(const struct gusset_filter *filter,
                    const struct gusset_host *host,
                    const struct gusset_input *inputs,
@@ -368,12 +369,11 @@ typedef struct gusset_failure {
     uint32_t param;
     /// Faulty input, or GUSSET_PLUGIN_NONE.
     uint32_t input;
-    /// Kind of element, GUSSET_ELEMENT_... of gusset.h: 0 none, 1 vertex, 2 face, 3 corner, 4 entry of an array of
-    /// offsets, 5 place in a loop, 6 none (index is a number of elements or bytes), 7 point of all curves, 8 constraint
-    /// on an outline, 9 place on a curve or surface, 12 section or plane, 13 net node by rows, 14 net link (twice its
-    /// first node, plus 1 if vertical), 15 net cell by rows, 16 seam, 17 bridge, 18 scene entry, 19 stream byte, 20
-    /// place along a net side, 21 other given item, 30 knot, 31 row of a net of curves, 32 edge of a winged-edge table.
-    /// Later versions may add kinds.
+    /// Kind of element, GUSSET_ELEMENT_... of gusset.h: 0 none, 1 vertex, 2 face, 3 corner, 4 offset, 5 place in a
+    /// loop, 6 none (index is a count), 7 point of all curves, 8 constraint on an outline, 9 place on a curve or
+    /// surface, 12 section or plane, 13 net node by rows, 14 net link (twice its first node, plus 1 if vertical), 15
+    /// net cell by rows, 16 seam, 17 bridge, 18 scene entry, 19 stream byte, 20 place along a net side, 21 other given
+    /// item, 30 knot, 31 row of a net of curves, 32 edge of a winged-edge table. Later versions may add kinds.
     uint32_t element;
     /// First faulty element.
     uint64_t index;

@@ -42,7 +42,7 @@ enum gusset_status
     GUSSET_OK = 0,
     /// A pointer that must not be NULL is NULL.
     GUSSET_ERROR_NULL_ARGUMENT = 1,
-    /// A pointer to a struct, a handle or an output is misaligned. Element arrays may have any alignment.
+    /// A pointer to a struct, a handle or an output is misaligned.
     GUSSET_ERROR_MISALIGNED_ARGUMENT = 2,
     /// struct_size is smaller than the first version of the struct.
     GUSSET_ERROR_BAD_STRUCT_SIZE = 3,
@@ -210,7 +210,7 @@ typedef uint32_t gusset_element;
 /// Edge of a winged-edge table.
 #define GUSSET_ELEMENT_EDGE 32
 
-/// Describes a status in a few English words.
+/// Describes a status in English.
 /// @param status an unknown one gives "unknown status".
 /// @return a static string, never NULL.
 /// @complexity O(1).
@@ -223,7 +223,7 @@ GUSSET_API const char *gusset_status_text(int32_t status);
 /// @complexity O(number of choices).
 GUSSET_API const char *gusset_choice_text(const char *choice, uint32_t value);
 
-/* ---- Contexts: Threads, progress, cancellation, log, and the report of the last error. */
+/* ---- Contexts: Settings and outcomes of calls. */
 
 /// Threads, progress, cancellation, log, and the outcome of the last call. Only one thread uses it at a time; any
 /// thread may call gusset_context_cancel, gusset_context_reset and gusset_context_get_progress.
@@ -314,13 +314,13 @@ GUSSET_API gusset_status gusset_context_get_report(const struct gusset_context *
 
 /* ---- Affine maps: Maps of points, as three rows of four numbers. */
 
-/// Affine map: four numbers for each of x, y, z, the last the translation.
+/// Affine map of points.
 typedef struct gusset_transform {
     /// x' = rows[0] x + rows[1] y + rows[2] z + rows[3]; then y', then z'.
     double rows[12];
 } gusset_transform;
 
-/* ---- Versions: The version of the library and of its binary interface. */
+/* ---- Versions: Versions of the library and its binary interface. */
 
 /// Returns the version of the library, "major.minor.patch".
 /// @return a static string, never NULL.

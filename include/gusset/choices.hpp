@@ -121,7 +121,7 @@ enum class OffsetDirection : uint32_t { normal = GUSSET_OFFSET_NORMAL, in_sectio
 /// Type of coordinates. See ::gusset_scalar.
 enum class Scalar : uint32_t { f32 = GUSSET_F32, f64 = GUSSET_F64 };
 
-/// The type of indices. See ::gusset_index.
+/// Type of indices. See ::gusset_index.
 enum class Index : uint32_t { u32 = GUSSET_U32, u64 = GUSSET_U64 };
 
 /// Treatment of coincident borders. See ::gusset_welding.
@@ -181,10 +181,10 @@ enum class StripStart : uint32_t {
     given = GUSSET_START_GIVEN
 };
 
-/// The positions of new vertices. See ::gusset_fairing.
+/// Positions of new vertices. See ::gusset_fairing.
 enum class Fairing : uint32_t { none = GUSSET_FAIRING_NONE, thin_plate = GUSSET_FAIRING_THIN_PLATE };
 
-/// The treatment of faces that intersect each other. See ::gusset_intersections.
+/// Treatment of intersecting faces. See ::gusset_intersections.
 enum class Intersections : uint32_t {
     automatic = GUSSET_INTERSECTIONS_AUTO,
     ignore = GUSSET_INTERSECTIONS_IGNORE,
@@ -228,7 +228,7 @@ enum class ToleranceMode : uint32_t {
     exact = GUSSET_TOLERANCE_EXACT
 };
 
-/// The side that closed components of a result face. See ::gusset_outward.
+/// Side that closed components face. See ::gusset_outward.
 enum class Outward : uint32_t {
     automatic = GUSSET_OUTWARD_AUTO,
     keep = GUSSET_OUTWARD_KEEP,
@@ -383,7 +383,7 @@ enum class GluingKind : uint32_t {
     type = GUSSET_GLUING_TYPE
 };
 
-/// Local gluing (Deryagin, Fig. See ::gusset_gluing_type.
+/// Local gluing of Deryagin's figure 4. See ::gusset_gluing_type.
 enum class GluingType : uint32_t {
     none = GUSSET_TYPE_NONE,
     horizontal = GUSSET_TYPE_HORIZONTAL,
@@ -487,7 +487,7 @@ enum class GridCells : uint32_t { quads = GUSSET_GRID_QUADS, triangles = GUSSET_
 /// Direction within a net. See ::gusset_direction.
 enum class Direction : uint32_t { right = GUSSET_DIRECTION_RIGHT, down = GUSSET_DIRECTION_DOWN };
 
-/// Rows or columns replicated to enlarge a net. See ::gusset_replication.
+/// Replicated rows or columns. See ::gusset_replication.
 enum class Replication : uint32_t {
     uniform = GUSSET_REPLICATE_UNIFORM,
     first = GUSSET_REPLICATE_FIRST,

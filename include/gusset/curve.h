@@ -223,7 +223,7 @@ typedef struct gusset_outline_options {
     uint32_t max_steps;
 } gusset_outline_options;
 
-/* ---- Outlines: Curves through given points: the inverse problem of Bezier curves. */
+/* ---- Outlines: Curves through given points. */
 
 /// Demand on a curve at a point.
 typedef uint32_t gusset_constraint_kind;
@@ -352,8 +352,8 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_outline_curve_create(const struc
 ///     valid.
 /// @param controls receives the control points, at ends of open outlines their own points; may be NULL.
 /// @param parameters receives each point's parameter on its section, 0 and 1 at ends of open outlines; may be NULL.
-/// @param statuses receives the gusset_point_status of each point; may be NULL.
-/// @param steps receives the steps of GUSSET_SOLVER_STEP over all sections; may be NULL.
+/// @param statuses receives the gusset_point_status of each point, or NULL.
+/// @param steps receives the steps of GUSSET_SOLVER_STEP over all sections, or NULL.
 /// @errors as gusset_outline_create
 /// @complexity O(n); no memory.
 /// @source Nadopta; B = P + (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C - A) of the guide.
@@ -425,7 +425,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_evaluate(const struct guss
     const struct gusset_curve *curve, const struct gusset_place *places, size_t count, uint32_t order,
     double *derivatives, double *tangents, double *curvatures);
 
-/// Finds the nearest point of a curve for each given point.
+/// Finds the nearest point for each given point.
 /// @param points finite.
 /// @param out receives count answers.
 /// @errors EMPTY_CURVE, NOT_FINITE, TOO_LARGE
@@ -433,14 +433,14 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_evaluate(const struct guss
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_nearest(const struct gusset_context *context,
     const struct gusset_curve *curve, const double *points, size_t count, struct gusset_curve_nearest_point *out);
 
-/// Computes arc lengths from the start of a curve to places.
+/// Computes arc lengths from the start to places.
 /// @param out receives count lengths.
 /// @errors NO_SUCH_ELEMENT (place)
 /// @complexity O(points) in all.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_lengths_at(const struct gusset_context *context,
     const struct gusset_curve *curve, const struct gusset_place *places, size_t count, double *out);
 
-/// Finds the places at arc lengths from the start of a curve, clamped to its ends.
+/// Finds the places at arc lengths from the start, clamped to the ends.
 /// @param out receives count places.
 /// @param lengths arc lengths.
 /// @errors EMPTY_CURVE, OUT_OF_RANGE (NaN)
@@ -578,7 +578,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_part_create(const struct g
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_reverse_create(const struct gusset_context *context,
     const struct gusset_curve *curve, struct gusset_curve **reversed);
 
-/// Raises and lowers the degrees of a curve's segments.
+/// Raises and lowers degrees of segments.
 /// Raising is exact. Lowering is a least-squares fit with fixed ends.
 /// @param lowest least degree, 1 to 64.
 /// @param highest greatest degree, lowest to 64.
@@ -701,6 +701,7 @@ typedef struct gusset_frame_options {
     /// ANGLE: a point of a bent axis for each section, in place of axis_point and axis_direction. The axis follows
     /// circles through three points each; the reference does not rotate about it. NULL: straight.
     const double *axis_points;
+    /// Sections.
     size_t axis_point_count;
     /// LANDMARKS: for each section the same number of indices of its points, in order.
     struct gusset_indices landmarks;
@@ -717,7 +718,7 @@ typedef struct gusset_frame_options {
 /// Lent nodes, row by row, and curves of a frame.
 typedef struct gusset_frame_view {
     size_t struct_size;
-    /// Number of sections.
+    /// Sections.
     size_t rows;
     /// Nodes in a section.
     size_t columns;

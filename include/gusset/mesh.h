@@ -9,7 +9,7 @@ extern "C" {
 #endif
 
 /* ---- Meshes: Polygon meshes in memory of the caller or of a result. An edge with one face is a boundary edge, with */
-/* three or more a non-manifold edge. */
+/* three or more a non-manifold edge. Memory is linear unless stated. */
 
 /// Type of coordinates.
 typedef uint32_t gusset_scalar;
@@ -18,11 +18,11 @@ typedef uint32_t gusset_scalar;
 /// 64-bit floats.
 #define GUSSET_F64 2
 
-/// The type of indices.
+/// Type of indices.
 typedef uint32_t gusset_index;
 /// 32-bit unsigned integers.
 #define GUSSET_U32 0
-/// Reserved; returns GUSSET_ERROR_UNKNOWN_VALUE.
+/// Reserved: GUSSET_ERROR_UNKNOWN_VALUE.
 #define GUSSET_U64 1
 
 /// Array of indices.
@@ -43,7 +43,7 @@ typedef struct gusset_indices {
 /// - a valid layout (BAD_STRIDE, BAD_FACE_LAYOUT, BAD_OFFSETS, BAD_MERGE).
 typedef struct gusset_mesh_view {
     size_t struct_size;
-    /// x, y, z at the start of each stride.
+    /// x, y, z at each stride.
     const void *positions;
     /// Bytes from one position to the next; 0 if packed.
     size_t position_stride;
@@ -140,7 +140,7 @@ struct gusset_join_options;
 ///     entry, input its loop 0 or 1, value the missing piece, else the vertex. The piece or vertex does not exist. In
 ///     pairs, also: no vertex, no or several joinable loops at it, or a loop named before), TOO_LARGE
 /// @complexity O(H log d + V log V) for V vertices on loops, gusset_stitch for each strip, gusset_fill for each hole, a
-///     pass over all faces for each strip faired or tested for intersections. Memory linear.
+///     pass over all faces for each strip faired or tested for intersections.
 /// @source Nesterenko for a single gap.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_join(const struct gusset_context *context,
     const struct gusset_mesh_view *pieces, size_t piece_count, const struct gusset_join_options *options,
@@ -196,15 +196,15 @@ typedef uint32_t gusset_strip_start;
 /// The first points; gusset_strip only.
 #define GUSSET_START_GIVEN 2
 
-/// The positions of new vertices.
+/// Positions of new vertices.
 typedef uint32_t gusset_fairing;
 /// New vertices divide the meridians of a strip evenly, or lie on the first triangulation of a patch.
 #define GUSSET_FAIRING_NONE 0
-/// The new surface bends like a thin plate and meets the old one smoothly. The sum of squared Laplacians over new
-/// vertices and rims is least. Rims and ends of an open strip stay fixed.
+/// The new surface bends like a thin plate and meets the old one smoothly: least sum of squared Laplacians over new
+/// vertices and rims. Rims and ends of an open strip stay fixed.
 #define GUSSET_FAIRING_THIN_PLATE 1
 
-/// The treatment of faces that intersect each other.
+/// Treatment of intersecting faces.
 typedef uint32_t gusset_intersections;
 /// Finds intersections of the strip, and reduces them:
 /// - A triangle strip without rows by GUSSET_MERIDIANS_CONTINUATION is rerouted; the best strip tried is kept.
@@ -220,8 +220,8 @@ typedef uint32_t gusset_intersections;
 /// Treatment of opposite orientations.
 typedef uint32_t gusset_orientation;
 /// If the component of rim B is oriented against rim A, it is reversed, whichever is inside out. Within one component
-/// nothing is reversed. Whole rims are compared as curves. If both face one way, as in a U-bend, the sides of their
-/// surfaces decide. An inconclusive comparison reverses nothing.
+/// nothing is reversed. Whole rims are compared as curves. If both face one way, the sides of their surfaces decide. An
+/// inconclusive comparison reverses nothing.
 #define GUSSET_ORIENTATION_FIX 0
 /// Opposite orientations return GUSSET_ERROR_ORIENTATION_CONFLICT.
 #define GUSSET_ORIENTATION_REFUSE 1
@@ -251,7 +251,7 @@ typedef uint32_t gusset_facing_run;
 typedef uint32_t gusset_centres;
 /// Mean of the vertices.
 #define GUSSET_CENTRES_VERTICES 0
-/// Mean along the curve, independent of the vertex spacing.
+/// Mean along the curve, independent of vertex spacing.
 #define GUSSET_CENTRES_LENGTH 1
 
 /// Number of interior rows.
@@ -292,7 +292,7 @@ typedef uint32_t gusset_tolerance_mode;
 /// Uses tolerance 0; welding then requires equal positions.
 #define GUSSET_TOLERANCE_EXACT 2
 
-/// The side that closed components of a result face.
+/// Side that closed components face.
 typedef uint32_t gusset_outward;
 /// GUSSET_OUTWARD_CLOSED in gusset_join, else GUSSET_OUTWARD_KEEP.
 #define GUSSET_OUTWARD_AUTO 0
@@ -352,11 +352,11 @@ typedef uint32_t gusset_welding;
 
 /// Widest gap to close.
 typedef uint32_t gusset_gap;
-/// Limits by size. The width of a gap is the larger mean distance from either loop to the nearest points of the other.
+/// The width of a gap is the larger mean distance from either loop to the nearest points of the other.
 /// - Whole loops: a fifth of the larger component's extent along an axis, or the smaller mean radius (mean distance
 ///   from the loop's centre) if more. The only two loops, on two pieces, are always joined.
 /// - Runs of loops: half the smaller mean radius, and at most 4 mean edges of the coarser loop.
-/// - Slits (see gusset_joint): half the mean radius, and at most one mean edge.
+/// - Slits: half the mean radius, and at most one mean edge.
 /// - Trimmed pieces: 2.5 mean edges of the coarsest, or 4 if a part would be left alone.
 #define GUSSET_GAP_AUTO 0
 /// max_gap.
@@ -406,7 +406,7 @@ typedef struct gusset_join_options {
     /// No loop is in two pairs.
     const struct gusset_loop_pair *pairs;
     size_t pair_count;
-    /// Pairs not to join, or NULL; pairs takes precedence. A vertex that is on no loop after welding excludes nothing.
+    /// Pairs not to join, or NULL; pairs takes precedence. Vertices on no loop after welding exclude nothing.
     const struct gusset_loop_pair *excluded;
     size_t excluded_count;
     /// Options of welding.
@@ -469,7 +469,7 @@ typedef struct gusset_piece_map {
     struct gusset_indices faces;
 } gusset_piece_map;
 
-/// Two loops, or runs of loops, that face each other across a gap. Indices are in the result.
+/// Two loops, or runs of loops, that face each other. Indices are in the result.
 /// If borders coincide in part, sewing leaves a slit: a loop along the rest of both. In a slit joined with itself, both
 /// sides are on it, one with both ends; whole is 0, and the strip lacks interior rows.
 typedef struct gusset_joint {
@@ -486,16 +486,16 @@ typedef struct gusset_joint {
     size_t face_count;
     /// Pairs of intersecting faces, as in gusset_stitch_report.
     struct gusset_indices intersections;
-    /// 1 if intersections were searched for. @flag
+    /// 1 if searched for. @flag
     uint32_t intersections_known;
     gusset_joint_outcome outcome;
     /// 1 if both sides are whole loops. @flag
     uint32_t whole;
-    /// Surface that was made; a strip may replace a blend.
+    /// Surface made; a strip may replace a blend.
     gusset_finish finish;
 } gusset_joint;
 
-/// Boundary loop of the sewn pieces without a strip, even if filled later; see holes.
+/// Boundary loop of the sewn pieces without a strip, even if filled later.
 typedef struct gusset_left_loop {
     /// Vertices in the result, in order.
     struct gusset_indices vertices;
@@ -582,17 +582,17 @@ typedef struct gusset_stitch_report {
     uint32_t row_count;
     /// 1 for a closed band, 0 for a strip between arcs. @flag
     uint32_t closed;
-    /// 1 if the component of rim 1 was reversed to agree with rim 0; its faces keep their first corners. @flag
+    /// 1 if the component of rim 1 was reversed to agree with rim 0; faces keep their first corners. @flag
     uint32_t turned;
-    /// 1 if intersections were searched for. @flag
+    /// 1 if searched for. @flag
     uint32_t intersections_known;
-    /// Pairs of intersecting faces: first a strip face, the larger one if both are. Shared or coincident vertices and
-    /// edges do not count; any other contact does. The test is exact. Quads are split by their shorter diagonals, other
+    /// Pairs of intersecting faces: first a strip face, the larger one if both are. Any contact counts, by an exact
+    /// test, except at shared or coincident vertices and edges. Quads are split by their shorter diagonals, other
     /// polygons into fans from their first corners. A self-intersecting polygon is paired with itself.
     struct gusset_indices intersections;
-    /// Times that the fairing of rows, or of the kept blend, was moved back.
+    /// Times that fairing of rows, or of the kept blend, was moved back.
     uint32_t back_off_count;
-    /// Surface that was made; a strip may replace a blend.
+    /// Surface made; a strip may replace a blend.
     gusset_finish finish;
     /// Faces that GUSSET_OUTWARD_CLOSED reversed, ascending. Each keeps its first corner.
     struct gusset_indices turned_outwards;
@@ -601,8 +601,8 @@ typedef struct gusset_stitch_report {
 /// Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band between whole loops, or
 /// open between facing arcs.
 /// The result has the vertices of A, B, then new ones; all faces of A, B, then the strip. Positions have the scalar
-/// type of A; old ones keep their bits. An arc of one vertex gets a fan, which touches its piece there only. Two arcs
-/// of one vertex each get one meridian and no face.
+/// type of A; old ones keep their bits. An arc of one vertex gets a fan, which touches its piece there only; two such
+/// arcs get one meridian and no face.
 /// @param loop_a vertices of each loop in order, in either direction, cyclically joined by boundary edges. If both
 ///     loops are NULL, the two nearest are joined; if one, the nearest to the other. Candidates are closed, of at least
 ///     3 vertices, manifold and consistently oriented; two of one mesh share no vertex.
@@ -613,18 +613,17 @@ typedef struct gusset_stitch_report {
 ///     TOO_LARGE
 /// @complexity O(H log d). Meridians O(N M), above 2^21 pairs of vertices and for simple rules O((N + M) log M).
 ///     Fairing and intersections O(n log n), and a test for each pair of overlapping triangle boxes. Blend of n
-///     vertices O(n^1.5), nearly linear in narrow gaps. Choice of loops: a box test a pair. Memory linear.
-///     GUSSET_SEARCH_EXACT adds 1 byte for each of up to 2^26 pairs, and 8 M bytes for each 2^26 pairs begun.
-///     GUSSET_MERIDIANS_CONTINUATION and _SMOOTH take 2 bytes a pair, 8 if the best strip would repeat an edge. Several
-///     threads and two starts double that.
-/// @source Nesterenko, algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their start: N + 1 and M + 1
-///     points.
+///     vertices O(n^1.5), nearly linear in narrow gaps. Choice of loops: a box test a pair. GUSSET_SEARCH_EXACT adds 1
+///     byte for each of up to 2^26 pairs, and 8 M bytes for each 2^26 pairs begun. GUSSET_MERIDIANS_CONTINUATION and
+///     _SMOOTH take 2 bytes a pair, 8 if the best strip would repeat an edge. Several threads and two starts double
+///     that.
+/// @source Nesterenko, algorithm 2 and the intermediate mesh (H, P).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_stitch(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh_a, const struct gusset_indices *loop_a, const struct gusset_mesh_view *mesh_b,
     const struct gusset_indices *loop_b, const struct gusset_stitch_options *options, struct gusset_result **result);
 
 /// Lends the strip alone: rim vertices, new vertices, new faces.
-/// @errors as gusset_result_get_stitch
+/// @errors WRONG_HANDLE
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_strip_mesh(const struct gusset_result *result,
     struct gusset_mesh_view *view);
 
@@ -633,14 +632,14 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_strip_mesh(const stru
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_stitch(const struct gusset_result *result,
     struct gusset_stitch_report *report);
 
-/* ---- Holes: reports: The outcome for each loop. */
+/* ---- Holes: reports: Outcomes of loops. */
 
 /// Weight that the triangulation of a hole minimises.
 typedef uint32_t gusset_fill_weight;
 /// Best continuation of the surface: the area if the rim is planar, else the sum of
 /// - 2 sin(t / 2) over all edges, the rim included, for angles t between normals;
-/// - the mean squared distance of the triangles from the missing surface, estimated from the tangent planes at the rim,
-///   in units of 1/140 of its length.
+/// - the mean squared distance of triangles from the missing surface, estimated from tangent planes at the rim, in
+///   units of 1/140 of its length.
 #define GUSSET_WEIGHT_CONTINUATION 0
 /// Sum of the areas and, over all edges, the rim included, of squared length * (1 - cos(angle between normals)).
 #define GUSSET_WEIGHT_AREA_AND_BEND 1
@@ -681,8 +680,8 @@ typedef uint32_t gusset_hole_status;
 
 /// Report on one loop.
 typedef struct gusset_hole {
-    /// First vertex of the loop in rims, with the surface on the left before closed components were turned outwards. A
-    /// given loop that is not simple, free or oriented is as given.
+    /// First vertex of the loop in rims, surface on the left before components are turned outwards; as given if not
+    /// simple, free or oriented.
     size_t rim_first;
     size_t rim_count;
     /// First face of the patch in the result; the same for loops that share a patch.
@@ -699,34 +698,32 @@ typedef struct gusset_hole {
     /// more.
     double area;
     gusset_hole_status status;
-    /// Weight of the triangulation: as requested, or one with fewer intersections.
+    /// As requested, or one with fewer intersections.
     gusset_fill_weight weight;
-    /// Finish of the patch: as requested, or simpler with fewer intersections.
+    /// As requested, or simpler with fewer intersections.
     gusset_patch_finish finish;
-    /// Number of the patch in the order of faces; equal for loops that share it. UINT32_MAX: no patch, always with
-    /// plan_only.
+    /// Patch number, in the order of faces; equal for loops that share it. UINT32_MAX: none, always with plan_only.
     uint32_t patch;
 } gusset_hole;
 
 /// Reports on all loops.
 typedef struct gusset_fill_report {
     size_t struct_size;
-    /// Each given loop, or all loops as gusset_boundary_get_loop numbers them.
+    /// Given loops, or all as gusset_boundary_get_loop numbers them.
     const struct gusset_hole *holes;
     size_t hole_count;
     /// Vertices of all loops.
     struct gusset_indices rims;
-    /// Three rim vertices for each new vertex, in the order of the new vertices.
+    /// Three rim vertices for each new vertex.
     struct gusset_indices parents;
     /// Weights of the parents, at least 0, sum 1. They give the nearest point on the plain triangulation of the rims:
     /// the vertex itself in a flat patch, or without fairing and creases.
     const double *weights;
-    /// Pairs of intersecting faces, ascending, the larger index first: a new face. Every contact counts, decided
-    /// exactly, except at shared or coincident vertices and edges.
+    /// Pairs of intersecting faces, ascending, as in gusset_stitch_report: first the larger index, a new face.
     struct gusset_indices intersections;
     /// Faces that GUSSET_OUTWARD_CLOSED reversed, ascending. Each keeps its first corner.
     struct gusset_indices turned_outwards;
-    /// 1 if intersections were searched for. @flag
+    /// 1 if searched for. @flag
     uint32_t intersections_known;
     uint32_t reserved;
 } gusset_fill_report;
@@ -737,7 +734,7 @@ typedef struct gusset_fill_report {
 typedef uint32_t gusset_fill_keep;
 /// All loops are holes.
 #define GUSSET_KEEP_NONE 0
-/// The longest loop (the first of equals), as the outline of a sheet.
+/// The longest loop (the first of equals).
 #define GUSSET_KEEP_LONGEST 1
 /// Outer borders of sheets, which a patch would cover: loops whose area vector has a positive dot product with their
 /// component's, and a length of at least half the component's area.
@@ -747,7 +744,7 @@ typedef uint32_t gusset_fill_keep;
 typedef uint32_t gusset_fill_together;
 /// Each loop gets its own patch.
 #define GUSSET_TOGETHER_APART 0
-/// All filled loops share one patch of genus 0. If they are not coplanar, the limit is about 160 loops.
+/// All filled loops share one patch of genus 0. Unless coplanar, at most about 160 loops.
 #define GUSSET_TOGETHER_ONE 1
 /// Loops share a patch where it weighs less than separate patches.
 /// - Pairs are tried whose boxes, grown by half their diagonals, overlap: about 8 a loop and 256 in all (the log says
@@ -760,7 +757,7 @@ typedef uint32_t gusset_fill_together;
 typedef uint32_t gusset_fill_refinement;
 /// No new vertices.
 #define GUSSET_REFINE_NONE 0
-/// New vertices as dense as the vertices around the hole.
+/// New vertices as dense as those around the hole.
 #define GUSSET_REFINE_RIM_DENSITY 1
 
 /// Smoothness between faired patches and the old surface.
@@ -780,11 +777,10 @@ typedef struct gusset_fill_options {
     gusset_fairing fairing;
     /// Loops that stay open, if all loops are selected.
     gusset_fill_keep keep;
-    /// Patch faces that intersect each other or old faces: AUTO avoids them, REPORT reports them, IGNORE does not look
-    /// for them.
+    /// Patch faces that intersect each other or old faces: AUTO avoids, REPORT reports, IGNORE ignores them.
     gusset_intersections intersections;
-    /// 1 fills and turns over nothing, but reports which loops would be filled, by which weight and finish. It does not
-    /// predict failed triangulations or shared patches. @flag
+    /// 1: changes nothing, but reports which loops would be filled, by which weight and finish. Failed triangulations
+    /// and shared patches are not predicted. @flag
     uint32_t plan_only;
     /// Approximate limit on a patch's new vertices, kept by larger triangles, exceeded at most twofold. 0: 50,000, or 4
     /// a rim vertex if more; twice that for sharp angles.
@@ -810,11 +806,11 @@ typedef struct gusset_fill_options {
 } gusset_fill_options;
 
 /// Fills holes: closes boundary loops by triangles, oriented like the surrounding surface.
-/// Loops that cannot be filled stay open; gusset_hole gives the reason. The result has the old vertices, bit for bit,
-/// then new ones; the old faces, then new triangles, hole by hole.
+/// Loops that cannot be filled stay open; see gusset_hole_status. The result has the old vertices, bit for bit, then
+/// new ones; the old faces, then new triangles, hole by hole.
 /// - No new edge joins two vertices of an old face: a closed result stays closed if its polygons are triangulated.
-/// - With the default weight or GUSSET_WEIGHT_AREA, a planar hole, even with islands, gets no overlapping triangles if
-///   its rims do not cross.
+/// - With the default weight or GUSSET_WEIGHT_AREA, planar holes whose rims do not cross, even with islands, get no
+///   overlapping triangles.
 /// - In a patch of one loop, creases continue: matching pairs are joined, three or more meet in a new vertex. Without
 ///   new vertices, only straight pairs are joined. Other creases end at the rim.
 /// - Loops of a shared patch stay open if two share a vertex, or the search, which is not exhaustive, fails.
@@ -829,7 +825,7 @@ typedef struct gusset_fill_options {
 /// @complexity O(n^3) time, 30 n^2 bytes for a loop of n <= 128 vertices. Otherwise linear memory: O(n), coarse to
 ///     fine; planar O(n log n); shared patches O(n log n) for few loops, O(n^3) for many. Also O(H log d), O(m^1.5) for
 ///     m new vertices of a hole, and O(n log n), at worst O(n^2), for intersections with n faces near holes.
-/// @source Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
+/// @source Barequet and Sharir 1995; Liepa 2003.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_fill(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_indices *loops, size_t loop_count,
     const struct gusset_fill_options *options, struct gusset_result **result);
@@ -877,7 +873,7 @@ typedef struct gusset_strip_report {
     uint32_t reserved;
 } gusset_strip_report;
 
-/// Builds a strip between two polylines, as gusset_stitch does between rims.
+/// Builds a strip, as gusset_stitch does between rims.
 /// The mesh has the points of A, of B, then new ones row by row. Faces run A_i+1, A_i, B_j: against A, along B. If both
 /// sides advance at once, the shorter diagonal splits a quad into triangles.
 /// @param points_a count_a points in order, at least 1; if closed at least 3, the first not repeated.
@@ -922,11 +918,9 @@ typedef struct gusset_weld_options {
     size_t struct_size;
     gusset_weld_vertices vertices;
     /// Distance at which vertices coincide.
-    /// - GUSSET_TOLERANCE_GIVEN: at most tolerance.
     /// - GUSSET_TOLERANCE_EXACT: 0; -0 equals 0.
     /// - GUSSET_TOLERANCE_AUTO: at most 2^-19 (32-bit) or 2^-48 (64-bit) of the largest coordinate, or, if more, twice
-    ///   the last decimal place that positions show. At each vertex at most a quarter of the shortest edge, so that no
-    ///   edge collapses.
+    ///   the last decimal place that positions show. At each vertex at most a quarter of the shortest edge.
     /// - Last decimal place: let D be the largest power of ten up to the longest side of the vertices' box. The place
     ///   is the largest of 1e-5 D, 1e-6 D, ... that divides a third of certain numbers: coordinates of the largest
     ///   order of magnitude, or differences between consecutive vertices. Multiples of 1e-4 D are left out; at least
@@ -946,8 +940,7 @@ typedef struct gusset_weld_report {
     struct gusset_indices vertex_map;
     /// Index of each face in the result; UINT32_MAX if dropped.
     struct gusset_indices face_map;
-    /// Half-edges of boundary edges that coincide with another edge but are not sewn: three or more coincide, or sewing
-    /// would collapse a face or make a non-manifold edge.
+    /// Half-edges of boundary edges that coincide with another edge but are not sewn.
     struct gusset_indices left_edges;
     /// Vertices that coincide with another but are not merged.
     struct gusset_indices left_vertices;
@@ -966,14 +959,14 @@ typedef struct gusset_weld_report {
 /// - By default, borders are sewn: where exactly two boundary edges coincide, in either direction, they become one.
 /// - Edges stay apart, and are listed, where three or more coincide, or sewing would collapse a face or make a
 ///   non-manifold edge: a manifold stays a manifold.
-/// - Coincident vertices without an edge to sew stay apart, as where two holes touch.
+/// - Coincident vertices without an edge to sew stay apart.
 /// - GUSSET_WELD_ALL merges all coincident vertices.
 /// - In ascending order, each unclaimed vertex claims the unclaimed vertices within the tolerance, nearest first,
 ///   without chains.
 /// - The result has the old faces, each from its first corner, and the remaining vertices in order. The smallest of
 ///   merged vertices remains, bit for bit. A result without faces is not a valid input.
-/// @errors as gusset_mesh_view, OUT_OF_RANGE (the tolerance)
-/// @complexity O(H log H), if valences are small and few corners of one face coincide; linear memory.
+/// @errors as gusset_mesh_view, OUT_OF_RANGE (tolerance)
+/// @complexity O(H log H), if valences are small and few corners of one face coincide.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_weld(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_weld_options *options, struct gusset_result **result);
 
@@ -1010,7 +1003,7 @@ typedef struct gusset_sew_report {
     double tolerance;
 } gusset_sew_report;
 
-/// Sews coincident borders, also where their vertices do not match.
+/// Sews coincident borders.
 /// - Vertices are welded as by gusset_weld.
 /// - Where a vertex of one border then lies inside a boundary edge of another (a T-junction), the edge is split if
 ///   exactly two pieces coincide. Triangles are cut into triangles, none turned over; larger faces gain corners.
@@ -1022,7 +1015,7 @@ typedef struct gusset_sew_report {
 ///   bit for bit. New vertices have the position of an old one.
 /// @param options as for gusset_weld. GUSSET_WELD_ALL welds all vertices before the splits, borders afterwards.
 /// @errors as gusset_weld, TOO_LARGE (the result)
-/// @complexity O(H log H), if valences are small and few vertices lie inside each edge; linear memory.
+/// @complexity O(H log H), if valences are small and few vertices lie inside each edge.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sew(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_weld_options *options, struct gusset_result **result);
 
@@ -1065,7 +1058,7 @@ typedef struct gusset_orient_report {
 /// nothing. Non-orientable components stay unchanged and are listed. A turned face keeps its first corner. Vertices and
 /// the order of faces do not change.
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d); linear memory.
+/// @complexity O(H log d).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_orient(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_orient_options *options, struct gusset_result **result);
 
@@ -1083,20 +1076,19 @@ typedef uint32_t gusset_alignment_start;
 /// Principal axes on the first piece's, in the one of four ways that puts most of the piece on it. For pieces that show
 /// one object whole.
 #define GUSSET_ALIGN_PRINCIPAL_AXES 1
-/// Rims of like shape put together; the rims then hold the pieces. For parts of a cut or broken surface that do not
-/// overlap.
+/// Rims of like shape put together; they then hold the pieces. For parts of a cut or broken surface without overlap.
 #define GUSSET_ALIGN_RIMS 2
 
 /// Verdict on the pose of a piece.
 typedef uint32_t gusset_aligned_reason;
 /// Trusted: the piece fits trusted pieces, up to the first. The fit is judged to a mean edge: a slightly scaled or
-/// mirrored smooth surface may pass (see rms and converged). Pieces that could only slide together also pass.
+/// mirrored smooth surface may pass. Pieces that could only slide together also pass.
 #define GUSSET_ALIGNED_TRUSTED 0
 /// The piece lacks faces with area, or overlaps others too little.
 #define GUSSET_ALIGNED_NO_OVERLAP 1
 /// Too much of the piece near others is off their surfaces.
 #define GUSSET_ALIGNED_POOR_FIT 2
-/// Up to the noise of normals, the piece is free to slide or turn, as on planes, spheres or cylinders.
+/// Up to the noise of normals, the piece is free to slide or turn.
 #define GUSSET_ALIGNED_UNDETERMINED 3
 /// Most of the overlap has opposite normals: the piece is inside out, or mirrored.
 #define GUSSET_ALIGNED_FACES_OTHER_WAY 4
@@ -1146,7 +1138,6 @@ typedef struct gusset_overlap {
     double rms;
     /// Fraction on the other piece of the points within 8 mean edges of it, 0 to 1.
     double fit;
-    /// Points on the other piece.
     uint32_t count;
     /// 1 if count is at least 30 and fit at least 2/3. @flag
     uint32_t trusted;
@@ -1173,13 +1164,12 @@ typedef struct gusset_alignment gusset_alignment;
 /// Finds rigid motions that fit overlapping pieces, all at once. The first piece stays.
 /// Points match the nearest points of other pieces, except beyond borders, or if normals differ by over 45 degrees.
 /// Distant matches weigh less. A piece without overlap stays at its start; an underdetermined piece may slide.
-/// @param pieces at least one; struct_size of the first holds for all.
+/// @param pieces as for gusset_join.
 /// @errors as gusset_mesh_view, EMPTY_MESH, OUT_OF_RANGE (max_distance; a pose that is not rigid, by index),
 ///     COUNT_DIFFERS (fewer poses than pieces), TOO_LARGE
 /// @complexity O(V log V) for V vertices of a piece, and in each of usually 10 to 30 rounds O(samples log V) a piece
-///     and neighbour; GUSSET_ALIGN_RIMS: 512^2 for two pieces. Memory linear.
-/// @source P. Besl and N. McKay (1992); Y. Chen and G. Medioni (1992); G. Turk and M. Levoy (1994); P. Neugebauer
-///     (1997); S. Rusinkiewicz, A symmetric objective function for ICP (2019).
+///     and neighbour; GUSSET_ALIGN_RIMS: 512^2 for two pieces.
+/// @source Besl and McKay 1992; Chen and Medioni 1992; Turk and Levoy 1994; Neugebauer 1997; Rusinkiewicz 2019.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_alignment_create(const struct gusset_context *context,
     const struct gusset_mesh_view *pieces, size_t piece_count, const struct gusset_alignment_options *options,
     struct gusset_alignment **alignment);
@@ -1237,12 +1227,12 @@ typedef struct gusset_trim gusset_trim;
 /// borders. A vertex lies on another piece if the nearest point is close, faces the same way, and is not on a border.
 /// No vertex moves, and no face is split. Parts thinner than two faces, small islands, faces attached by one vertex,
 /// and faces that intersect an earlier piece are removed.
-/// @param pieces as in gusset_alignment_create, in one coordinate system.
+/// @param pieces as for gusset_join, in one coordinate system.
 /// @errors as gusset_mesh_view, EMPTY_MESH, OUT_OF_RANGE (max_distance, max_angle), NOT_FINITE (a viewpoint),
 ///     COUNT_DIFFERS (fewer viewpoints than pieces), TOO_LARGE
 /// @complexity O(V log F) for V vertices of a piece and F faces of each near piece, up to quadratic in the faces at one
-///     place. Memory linear.
-/// @source Based on G. Turk and M. Levoy, Zippered polygon meshes from range images (1994).
+///     place.
+/// @source After Turk and Levoy 1994.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_trim_create(const struct gusset_context *context,
     const struct gusset_mesh_view *pieces, size_t piece_count, const struct gusset_trim_options *options,
     struct gusset_trim **trim);
@@ -1254,7 +1244,7 @@ GUSSET_API void gusset_trim_destroy(struct gusset_trim *trim);
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_trim_get_view(const struct gusset_trim *trim,
     struct gusset_trim_view *view);
 
-/* ---- Boundary loops: Finds the boundary loops of a mesh, and reports defects. */
+/* ---- Boundary loops: Finds boundary loops and defects. */
 
 /// Treatment of non-manifold edges.
 typedef uint32_t gusset_non_manifold;
@@ -1308,11 +1298,11 @@ typedef uint32_t gusset_defect_kind;
 #define GUSSET_DEFECT_ORIENTATION_CONFLICT 2
 /// An edge has three or more half-edges: index is the first, count their number. A face may count twice.
 #define GUSSET_DEFECT_NON_MANIFOLD_EDGE 3
-/// The faces at a vertex (index) form more than one fan. Fans end at non-manifold edges, whose ends are listed too
-/// where a loop passes them.
+/// The faces at a vertex (index) form more than one fan. Ends of non-manifold edges are listed too where a loop passes
+/// them.
 #define GUSSET_DEFECT_BOW_TIE 4
 
-/// Boundary loops of a mesh. It does not refer to the mesh.
+/// Boundary loops of a mesh.
 typedef struct gusset_boundary gusset_boundary;
 
 /// Options of gusset_boundary_create.
@@ -1327,7 +1317,7 @@ typedef struct gusset_loop_view {
     size_t struct_size;
     /// Vertices, each once. A closed loop starts at its smallest half-edge.
     struct gusset_indices vertices;
-    /// Half-edge (position in face_corners) of each edge.
+    /// Half-edge of each edge.
     struct gusset_indices half_edges;
     /// Face beside each edge.
     struct gusset_indices faces;
@@ -1364,15 +1354,15 @@ typedef struct gusset_boundary_view {
     size_t defect_count;
 } gusset_boundary_view;
 
-/// Finds all boundary loops of a mesh: chains of boundary edges.
+/// Finds all boundary loops: chains of boundary edges.
 /// Loops run as the faces along them: seen from outside, with counter-clockwise faces, the surface is on the left.
 /// - Each loop passes a vertex once: a boundary that touches itself is cut. A loop may have only two vertices.
 /// - Loops are in the order of their smallest half-edges.
 /// - Walks along only non-manifold edges are left out, except loops cut from other walks.
 /// - A face with fewer than three sides between different vertices lacks a border; its neighbours count as adjacent.
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d); GUSSET_SURVEY_BOUNDARY_ONLY O(H + B log B) for B boundary edges; linear memory.
-/// @source Nesterenko, algorithm 1, corrected: every loop, a stated direction, fan by fan round each vertex.
+/// @complexity O(H log d); GUSSET_SURVEY_BOUNDARY_ONLY O(H + B log B) for B boundary edges.
+/// @source Nesterenko, algorithm 1, corrected.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_boundary_create(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_boundary_options *options,
     struct gusset_boundary **boundary);
@@ -1380,11 +1370,11 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_boundary_create(const struct gus
 /// Destroys a boundary.
 GUSSET_API void gusset_boundary_destroy(struct gusset_boundary *boundary);
 
-/// Lends the counts and defects of a boundary.
+/// Lends the counts and defects.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_boundary_get_view(const struct gusset_boundary *boundary,
     struct gusset_boundary_view *view);
 
-/// Lends one loop of a boundary.
+/// Lends one loop.
 /// @param index below loop_count of gusset_boundary_view.
 /// @errors NO_SUCH_ELEMENT
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_boundary_get_loop(const struct gusset_boundary *boundary, size_t index,
@@ -1404,15 +1394,15 @@ typedef uint32_t gusset_mesh_flags;
 /// The mesh is oriented, or would be after turning faces over.
 #define GUSSET_MESH_ORIENTABLE 8
 
-/// Findings of a check. It does not refer to the mesh.
+/// Findings of a check.
 typedef struct gusset_check gusset_check;
 
 /// Counts, properties and defects of a mesh. Lists are ascending. Degenerate faces have no edges.
 typedef struct gusset_check_view {
     size_t struct_size;
-    /// Vertices, including unused ones.
+    /// Vertices, also unused ones.
     uint32_t vertex_count;
-    /// Distinct edges: pairs of different vertices, consecutive in a face.
+    /// Distinct edges, between different vertices.
     uint32_t edge_count;
     /// Faces.
     uint32_t face_count;
@@ -1421,7 +1411,7 @@ typedef struct gusset_check_view {
     /// As walk_count of gusset_boundary_view.
     uint32_t boundary_walk_count;
     gusset_mesh_flags properties;
-    /// Used vertices - edges + all faces: the Euler characteristic if no face is degenerate.
+    /// Used vertices - edges + faces: the Euler characteristic without degenerate faces.
     int64_t euler;
     /// Handles of all components together; -1 if not manifold or orientable, or with a degenerate face.
     int64_t genus;
@@ -1435,7 +1425,7 @@ typedef struct gusset_check_view {
     struct gusset_indices bow_ties;
     /// First half-edge of each edge whose two faces run it in the same direction.
     struct gusset_indices orientation_conflicts;
-    /// Faces with the same cycle of vertices, in either direction, as an earlier face; none degenerate.
+    /// Faces with the cycle of vertices of an earlier face, in either direction; none degenerate.
     struct gusset_indices duplicate_faces;
     /// Faces that repeat a vertex.
     struct gusset_indices degenerate_faces;
@@ -1447,14 +1437,14 @@ typedef struct gusset_check_view {
 
 /// Checks the topology of a mesh.
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d); linear memory.
+/// @complexity O(H log d).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_check_create(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, struct gusset_check **check);
 
 /// Destroys a check.
 GUSSET_API void gusset_check_destroy(struct gusset_check *check);
 
-/// Lends the findings of a check.
+/// Lends the findings.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_check_get_view(const struct gusset_check *check,
     struct gusset_check_view *view);
 
@@ -1488,14 +1478,13 @@ typedef struct gusset_develop_options {
     uint32_t reserved;
 } gusset_develop_options;
 
-/// Flattens a surface with the least distortion, as a cutting pattern.
+/// Flattens a surface with the least distortion.
 /// The surface is cut along the given paths; components that are not discs are then opened along short paths. Each
 /// connected component of the rest is a chart. The result has the surface's scalar type and z = 0; faces keep their
-/// order and first corners, and are counter-clockwise. For nets and sheets, see gusset_net_to_mesh and
-/// gusset_sheet_to_mesh.
-/// - A chart that unfolds about its edges keeps their lengths: cylinders, cones, tangent developables in plane strips.
-///   The error is at most 1e-10 of the length, or of 1e-3 mean edges if more, before rounding, which grows with the
-///   distance from the origin. The chart may overlap itself, and rounding may turn over triangles without area.
+/// order and first corners, and are counter-clockwise.
+/// - A chart that unfolds about its edges, as a cylinder or cone does, keeps their lengths. The error is at most 1e-10
+///   of the length, or of 1e-3 mean edges if more, before rounding, which grows with the distance from the origin. The
+///   chart may overlap itself, and rounding may turn over triangles without area.
 /// - Other charts descend to the least distortion. The map is one-to-one: no triangle is turned over, and the border
 ///   does not meet itself. If this ends the descent early, finish is GUSSET_CHART_STALLED.
 /// - Darts are made while they lower the distortion, from the border to the vertex with the worst conformal scale.
@@ -1509,10 +1498,8 @@ typedef struct gusset_develop_options {
 ///     cut, index the place in it), CUT_NOT_CONNECTED (likewise), REPEATED_CORNER
 /// @complexity O(H log H) if charts unfold; else O(n^1.5) for n vertices of a chart, each step and each dart; memory
 ///     O(n log n).
-/// @source M. Rabinovich et al., Scalable locally injective mappings (2017), for the descent; B. Levy et al., Least
-///     squares conformal maps (2002); J. Erickson, K. Whittlesey, Greedy optimal homotopy and homology generators
-///     (2005), for the cuts that open; M. Ben-Chen et al., Conformal flattening by curvature prescription and metric
-///     scaling (2008), for darts.
+/// @source Rabinovich et al. 2017, for the descent; Levy et al., Least squares conformal maps, 2002; Erickson and
+///     Whittlesey 2005, for opening cuts; Ben-Chen et al. 2008, for darts.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_develop(const struct gusset_context *context,
     const struct gusset_mesh_view *mesh, const struct gusset_develop_options *options, struct gusset_result **result);
 
@@ -1523,7 +1510,7 @@ struct gusset_develop_report;
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_develop(const struct gusset_result *result,
     struct gusset_develop_report *report);
 
-/* ---- Developments: reports: Charts, cuts and distortion of a development. */
+/* ---- Developments: reports: Charts, cuts and distortion. */
 
 /// Outcome of the layout of a chart.
 typedef uint32_t gusset_chart_finish;
@@ -1560,8 +1547,8 @@ typedef struct gusset_chart {
     gusset_chart_finish finish;
     /// Steps of all descents.
     uint32_t iterations;
-    /// Pairs of border edges that meet in the plane, except neighbours. 0 unless finish is GUSSET_CHART_FOLDED or
-    /// GUSSET_CHART_EXACT, where crossings count from 1e-8 of the root of the area.
+    /// Pairs of border edges that meet in the plane, except neighbours. GUSSET_CHART_EXACT: crossings by more than 1e-8
+    /// of the root of the area. GUSSET_CHART_FOLDED: all. Else 0.
     uint32_t overlaps;
     /// Triangles turned over; 0 unless finish is GUSSET_CHART_FOLDED.
     uint32_t folds;
@@ -1597,7 +1584,7 @@ typedef struct gusset_develop_report {
     struct gusset_indices cut_edges;
     /// GUSSET_CUT_... of each cut edge.
     struct gusset_indices cut_kinds;
-    /// Number of darts.
+    /// Darts.
     uint32_t darts;
     uint32_t reserved;
 } gusset_develop_report;
@@ -1612,7 +1599,7 @@ typedef struct gusset_facing_options {
     size_t struct_size;
     gusset_facing_run run;
     gusset_tolerance_mode tolerance_mode;
-    /// Facing vertices are farther than this from the plane of their loop; finite, at least 0.
+    /// As in gusset_stitch_options.
     /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
     double tolerance;
     gusset_centres centres;
@@ -1628,11 +1615,11 @@ typedef struct gusset_facing_view {
     double normal[2][3];
     /// Signed distance of each vertex from its plane, positive towards the other loop.
     const double *distances[2];
-    /// First index and number of vertices of each run of facing vertices, alternating. A run may pass the loop's end.
+    /// First index and length of each run of facing vertices, alternating; a run may pass the loop's end.
     struct gusset_indices runs[2];
     /// The chosen run, as arc_a and arc_b of gusset_stitch_options.
     uint32_t taken[2][2];
-    /// Number of vertices of each loop.
+    /// Vertices of each loop.
     size_t counts[2];
 } gusset_facing_view;
 
@@ -1640,9 +1627,9 @@ typedef struct gusset_facing_view {
 /// @param points_a count_a vertices in order, at least 1.
 /// @param points_b as points_a.
 /// @errors LOOP_TOO_SHORT, TOO_LARGE, NOT_FINITE, OUT_OF_RANGE, PLANES_UNDECIDED (the centres coincide, or no vertex of
-///     a loop exceeds the tolerance, as with coaxial rims)
-/// @complexity O((N + M) log M); memory linear.
-/// @source Nesterenko, algorithm 2, equations 5-7, with a tolerance and runs.
+///     a loop exceeds the tolerance)
+/// @complexity O((N + M) log M).
+/// @source Nesterenko, algorithm 2, equations 5-7.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_facing_create(const struct gusset_context *context,
     const double *points_a, size_t count_a, const double *points_b, size_t count_b,
     const struct gusset_facing_options *options, struct gusset_facing **facing);
@@ -1661,11 +1648,11 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_facing_get_view(const struct gus
 /// @param written receives the count.
 /// @errors OUT_OF_RANGE, BUFFER_TOO_SMALL
 /// @complexity O(n).
-/// @source Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)), without the products.
+/// @source Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_meridians_index(uint32_t n, uint32_t m, uint32_t *j, size_t capacity,
     size_t *written);
 
-/* ---- Origins: Gives the source elements of each vertex, corner and face of a result. */
+/* ---- Origins: Sources of elements. */
 
 /// Kind of element.
 typedef uint32_t gusset_domain;
@@ -1676,7 +1663,7 @@ typedef uint32_t gusset_domain;
 /// Faces, cells of nets and sheets.
 #define GUSSET_DOMAIN_FACES 2
 
-/// Source elements of each vertex, corner and face of a result, which may be destroyed.
+/// Sources of a result's vertices, corners and faces.
 /// - An old element has itself, a merged vertex all its vertices in equal parts.
 /// - A new vertex has the rim vertices around it, by its place on plain triangles between them, before fairing. A
 ///   vertex put on an edge has its ends.
@@ -1691,17 +1678,17 @@ typedef struct gusset_origins_view {
     struct gusset_indices offsets;
     /// Sources, numbered through all inputs.
     struct gusset_indices sources;
-    /// Weight of each source, above 0; sum 1 for each element.
+    /// Weight of each source, above 0, sum 1.
     const double *weights;
-    /// Input i has the sources starts[i] to starts[i + 1] - 1. Inputs are the meshes, pieces or polylines in order, or
-    /// the net or sheet.
+    /// Input i has the sources starts[i] to starts[i + 1] - 1. Inputs are the meshes, pieces, polylines, net or sheet
+    /// in order.
     struct gusset_indices starts;
 } gusset_origins_view;
 
 /// Destroys origins.
 GUSSET_API void gusset_origins_destroy(struct gusset_origins *origins);
 
-/// Lends the origins of the vertices, corners or faces of a result.
+/// Lends the origins of one domain.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_origins_get_view(const struct gusset_origins *origins,
     gusset_domain domain, struct gusset_origins_view *view);
 
@@ -1722,7 +1709,7 @@ typedef uint32_t gusset_value_type;
 
 /// Rule that combines the values of several sources. A single source's value stays bit for bit.
 typedef uint32_t gusset_rule;
-/// Weighted mean, as for colours; integers are rounded.
+/// Weighted mean; integers are rounded.
 #define GUSSET_RULE_LINEAR 0
 /// Directions of three floats: weighted mean on the sphere, of length 1. Faces that the operation turned over negate
 /// theirs.
@@ -1730,7 +1717,7 @@ typedef uint32_t gusset_rule;
 /// Bone weights, at least 0: weighted mean. The max_influences largest (the first of equals) are kept and scaled to the
 /// sum 1, or to the largest value of an integer type.
 #define GUSSET_RULE_SKIN_WEIGHTS 2
-/// Value of the source with the largest weight (the first of equals), as for materials.
+/// Value of the source with the largest weight (the first of equals).
 #define GUSSET_RULE_NEAREST 3
 /// Texture coordinates. Vertices and faces: weighted mean. Corners of new faces:
 /// - Weighted mean where both sides are on one chart.
@@ -1768,8 +1755,8 @@ typedef struct gusset_channel_values {
     size_t stride;
 } gusset_channel_values;
 
-/// Transfers values from elements of inputs to elements of a result.
-/// Elements without sources, or whose sources all lack the values, get 0.
+/// Transfers values from elements of inputs to a result's.
+/// Elements without sources that have values get 0.
 /// @param inputs values of each input of the origins, in order.
 /// @param values receives the components of each element at every stride, at any alignment; bytes between do not
 ///     change. Must not overlap the inputs' values.
@@ -1785,10 +1772,9 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_attributes_apply(const struct gu
     const struct gusset_channel_values *inputs, size_t input_count, void *values, size_t count, size_t stride);
 
 /// Finds which vertices are one, for merge of gusset_mesh_view.
-/// Vertices with equal keys are one, as after splits at seams of textures or normals. Without keys, vertices at equal
-/// finite positions are one; -0 equals 0.
+/// Vertices with equal keys are one; without keys, vertices at equal finite positions, -0 equal to 0.
 /// @param keys one for each vertex; NULL: positions.
-/// @param merge receives for each vertex the smallest vertex that it is one with; at any alignment.
+/// @param merge receives for each vertex the smallest that it is one with; at any alignment.
 /// @errors as gusset_mesh_view
 /// @complexity O(V log V) for V vertices; 8 bytes for each, 12 with keys.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_mesh_find_merge(const struct gusset_context *context,

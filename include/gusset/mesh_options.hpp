@@ -13,11 +13,9 @@ struct WeldOptions {
     /// Vertices that are welded.
     WeldVertices vertices = WeldVertices::boundary;
     /// Distance at which vertices coincide.
-    /// - GUSSET_TOLERANCE_GIVEN: at most tolerance.
     /// - GUSSET_TOLERANCE_EXACT: 0; -0 equals 0.
     /// - GUSSET_TOLERANCE_AUTO: at most 2^-19 (32-bit) or 2^-48 (64-bit) of the largest coordinate, or, if more, twice
-    ///   the last decimal place that positions show. At each vertex at most a quarter of the shortest edge, so that no
-    ///   edge collapses.
+    ///   the last decimal place that positions show. At each vertex at most a quarter of the shortest edge.
     /// - Last decimal place: let D be the largest power of ten up to the longest side of the vertices' box. The place
     ///   is the largest of 1e-5 D, 1e-6 D, ... that divides a third of certain numbers: coordinates of the largest
     ///   order of magnitude, or differences between consecutive vertices. Multiples of 1e-4 D are left out; at least
@@ -67,11 +65,11 @@ struct StitchOptions {
     StripStart start = StripStart::automatic;
     /// Positions of interior rows; ignored without rows.
     Fairing fairing = Fairing::none;
-    /// The treatment of faces that intersect each other.
+    /// Treatment of intersecting faces.
     Intersections intersections = Intersections::automatic;
     /// Centre of a loop.
     Centres centres = Centres::vertices;
-    /// The side that closed components of a result face.
+    /// Side that closed components face.
     Outward outward = Outward::automatic;
     /// Surface between the rims.
     Finish finish = Finish::strip;
@@ -87,11 +85,10 @@ struct FillOptions {
     Fairing fairing = Fairing::none;
     /// Loops that stay open, if all loops are selected.
     FillKeep keep = FillKeep::none;
-    /// Patch faces that intersect each other or old faces: AUTO avoids them, REPORT reports them, IGNORE does not look
-    /// for them.
+    /// Patch faces that intersect each other or old faces: AUTO avoids, REPORT reports, IGNORE ignores them.
     Intersections intersections = Intersections::automatic;
-    /// 1 fills and turns over nothing, but reports which loops would be filled, by which weight and finish. It does not
-    /// predict failed triangulations or shared patches.
+    /// 1: changes nothing, but reports which loops would be filled, by which weight and finish. Failed triangulations
+    /// and shared patches are not predicted.
     bool plan_only = false;
     /// Approximate limit on a patch's new vertices, kept by larger triangles, exceeded at most twofold. 0: 50,000, or 4
     /// a rim vertex if more; twice that for sharp angles.
@@ -150,7 +147,7 @@ struct JoinOptions {
     /// Pairs of whole loops to join at any distance, or NULL. A pair is two loops, or a slit twice (see gusset_joint).
     /// No loop is in two pairs.
     std::vector<gusset_loop_pair> pairs;
-    /// Pairs not to join, or NULL; pairs takes precedence. A vertex that is on no loop after welding excludes nothing.
+    /// Pairs not to join, or NULL; pairs takes precedence. Vertices on no loop after welding exclude nothing.
     std::vector<gusset_loop_pair> excluded;
     /// Options of welding.
     WeldOptions weld_options;
@@ -239,8 +236,7 @@ struct FacingOptions {
     FacingRun run = FacingRun::closest;
     /// Source of the tolerance.
     ToleranceMode tolerance_mode = ToleranceMode::automatic;
-    /// Facing vertices are farther than this from the plane of their loop; finite, at least 0. A value sets
-    /// tolerance_mode to GUSSET_TOLERANCE_GIVEN.
+    /// As in gusset_stitch_options. A value sets tolerance_mode to GUSSET_TOLERANCE_GIVEN.
     std::optional<double> tolerance;
     /// Centre of a loop.
     Centres centres = Centres::vertices;

@@ -13,7 +13,7 @@ extern "C" {
 
 /// Coordinate matrices, possibly interleaved or column-major. Number (i, j) of each begins i * row_stride + j *
 /// column_stride bytes after the first.
-/// Normals follow the cross product of increasing column and increasing row, opposite to a sheet of surface.h.
+/// Normals follow the cross product of increasing column and increasing row.
 typedef struct gusset_net_view {
     size_t struct_size;
     /// At least 2.
@@ -48,7 +48,6 @@ struct gusset_net_gluing;
 /// Makes a net from coordinates.
 /// Borrowed matrices are aligned, without gaps in rows; row_stride is a multiple of the scalar's size. They do not
 /// overlap, and stay valid until the net is destroyed.
-/// @param view the coordinates.
 /// @param gluing NULL: nothing is glued.
 /// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, OVERLAP, OUT_OF_RANGE (a byte of the matrix), BAD_SEAM, CROSSING_CELL
 /// @complexity O(nodes + pairs of seams); 12 or 24 bytes a node, and 1/4 byte if sides do not give the gluing. Borrowed
@@ -61,17 +60,17 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_create(const struct gusset_c
 /// Destroys a net.
 GUSSET_API void gusset_net_destroy(struct gusset_net *net);
 
-/// Lends the coordinates of a net for reading.
+/// Lends the coordinates for reading.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_get_view(const struct gusset_net *net,
     struct gusset_net_view *view);
 
-/// Lends the coordinates of a net for writing, until the next call with this net.
+/// Lends the coordinates for writing, until the next call with this net.
 /// The caller keeps glued nodes equal; see snap of gusset_glue_options. Shared memory is copied first.
 /// @complexity O(1), or O(nodes) if memory is copied.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_edit(const struct gusset_context *context, struct gusset_net *net,
     struct gusset_net_view *view);
 
-/// Copies the coordinates of a net to the caller's matrices.
+/// Copies the coordinates to the caller's matrices.
 /// @param view matrices of the net's size, in any layout and scalar type. Conversion to float rounds. Bytes in gaps
 ///     stay.
 /// @errors SIDES_DIFFER (another size), BAD_STRIDE
@@ -132,7 +131,7 @@ typedef uint32_t gusset_sides;
 #define GUSSET_SIDES_SHEET 0
 /// Rows are closed.
 #define GUSSET_SIDES_TUBE 1
-/// Rows are closed, the first and last are poles: spheres, closed cylinders and cones.
+/// Rows are closed, the first and last are poles.
 #define GUSSET_SIDES_TWO_POLES 13
 /// All four sides are one point.
 #define GUSSET_SIDES_ONE_POLE 60
@@ -154,7 +153,7 @@ typedef struct gusset_net_gluing {
     uint32_t reversed;
 } gusset_net_gluing;
 
-/// Replaces the gluing of a net; positions stay.
+/// Replaces the gluing; positions stay.
 /// @param gluing NULL: nothing is glued.
 /// @errors as gusset_net_create
 /// @complexity O(nodes + pairs of seams).
@@ -213,7 +212,7 @@ typedef struct gusset_gluing {
     struct gusset_seam seam;
 } gusset_gluing;
 
-/// Local gluing (Deryagin, Fig. 4).
+/// Local gluing of Deryagin's figure 4.
 typedef uint32_t gusset_gluing_type;
 /// Nothing is glued.
 #define GUSSET_TYPE_NONE 4294967295
@@ -276,8 +275,8 @@ typedef struct gusset_glue_options {
     uint32_t reserved;
 } gusset_glue_options;
 
-/// Glues nodes of a net, and optionally moves glued nodes together.
-/// @param moved receives the count of changed nodes; may be NULL.
+/// Glues nodes, and optionally moves glued nodes together.
+/// @param moved receives the count of changed nodes, or NULL.
 /// @errors OUT_OF_RANGE (tolerance, a mask above 15), NO_SUCH_ELEMENT (a link, node or cell), BAD_SEAM (by index of the
 ///     gluing), CROSSING_CELL, TOO_LARGE
 /// @complexity O(nodes + glued pairs); detect sorts the side nodes. snap alone: O(rows + columns) if only sides are
@@ -288,12 +287,11 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_glue(const struct gusset_con
 
 /// Unglues pairs of nodes: frees their links and cuts their seams.
 /// Nodes that other gluings connect stay one point. Pairs not glued are ignored.
-/// @param gluings pairs to unglue.
 /// @param separation gap between the pieces of a point, or 0. Each piece moves by half of it towards the mean of its
 ///     neighbours, preferably unsplit ones. A piece without neighbours, or at their mean, stays.
-/// @param moved receives the count of moved pieces; may be NULL.
+/// @param moved receives the count of moved pieces, or NULL.
 /// @errors as gusset_net_glue, OUT_OF_RANGE (separation)
-/// @complexity O(nodes), and a sort of the pairs.
+/// @complexity O(nodes), plus a sort of pairs.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_unglue(const struct gusset_context *context, struct gusset_net *net,
     const struct gusset_gluing *gluings, size_t count, double separation, uint64_t *moved);
 
@@ -311,7 +309,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_classes(const struct gusset_
 typedef struct gusset_net_groups gusset_net_groups;
 
 /// Finds the points of several glued nodes.
-/// @complexity O(rows + columns) if only sides are glued, else O(nodes), plus a sort of the glued nodes.
+/// @complexity O(rows + columns) if only sides are glued, else O(nodes), plus a sort of glued nodes.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_groups_create(const struct gusset_context *context,
     const struct gusset_net *net, struct gusset_net_groups **groups);
 
@@ -350,9 +348,9 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_classify(const struct gusset
     const struct gusset_net *net, gusset_gluing_place place, uint32_t element, uint32_t cyclic,
     gusset_gluing_type *found);
 
-/// Counts the local gluings of a net by type.
-/// @param nodes receives 18 counts, as for cyclic 0; may be NULL.
-/// @param cells receives 18 counts; may be NULL.
+/// Counts the local gluings by type.
+/// @param nodes receives 18 counts, as for cyclic 0, or NULL.
+/// @param cells receives 18 counts, or NULL.
 /// @complexity O(nodes); 4 bytes a node.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_histogram(const struct gusset_context *context,
     const struct gusset_net *net, uint64_t *nodes, uint64_t *cells);
@@ -362,7 +360,6 @@ typedef struct gusset_gluing_occurrence {
     gusset_gluing_place place;
     /// Node or cell.
     uint32_t element;
-    /// Local gluing (Deryagin, Fig. 4).
     gusset_gluing_type kind;
     /// At a node: nodes glued to it. At a cell: glued links, at most 3; 1 for a diagonal.
     uint32_t a;
@@ -373,16 +370,16 @@ typedef struct gusset_gluing_occurrence {
     uint32_t node_order;
     /// United links; 1 if none.
     uint32_t link_order;
-    /// Nodes of the point; exceeds node_order where gluings meet, as at a pole.
+    /// Nodes of the point; exceeds node_order where gluings meet.
     uint32_t class_size;
 } gusset_gluing_occurrence;
 
-/// Writes all local gluings of a net: at its nodes in order, then at its cells.
+/// Writes all local gluings: of nodes in order, then of cells.
 /// @param cyclic as for gusset_net_classify.
 /// @param found receives the gluings.
 /// @param written receives the count.
 /// @errors BUFFER_TOO_SMALL
-/// @complexity O(nodes); 4 bytes a node, and memory for the result.
+/// @complexity O(nodes); 4 bytes a node, and the result.
 /// @source Deryagin, Fig. 4.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_gluing_occurrences(const struct gusset_context *context,
     const struct gusset_net *net, uint32_t cyclic, struct gusset_gluing_occurrence *found, size_t capacity,
@@ -464,7 +461,6 @@ typedef struct gusset_net_primitive {
 
 /// Makes a standard shape, centred at the origin, with axis z.
 /// Glued nodes have equal bits. Closed surfaces have outward normals.
-/// @param primitive the shape.
 /// @errors OUT_OF_RANGE (a measure, too few elements), TOO_LARGE
 /// @complexity O(nodes); 12 or 24 bytes a node, and 1/4 byte for boxes.
 /// @source Deryagin, "Closures of nets".
@@ -512,7 +508,6 @@ typedef struct gusset_operation {
 /// - Computation uses the net's scalar type.
 /// - Equal bits of glued nodes stay equal. Missing nodes stay missing; their finite coordinates may change.
 /// - A mirroring chain changes the net's reversed flag, so faces still look outwards.
-/// @param operations the maps.
 /// @param count may be 0.
 /// @errors OUT_OF_RANGE (a number not finite, an axis of length 0, overflow of the product), FIELD_UNDEFINED (first
 ///     node to overflow)
@@ -521,7 +516,7 @@ typedef struct gusset_operation {
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_transform(const struct gusset_context *context,
     struct gusset_net *net, const struct gusset_operation *operations, size_t count);
 
-/* ---- Fields: Deforms and projects nets by chains of fields, constant or keyed in time. */
+/* ---- Fields: Deforms and projects nets by chains of fields. */
 
 /// Kind of a deformation field. It gives the meaning of values.
 /// - t is the strength: 0 changes nothing, 1 applies the whole map.
@@ -596,8 +591,8 @@ typedef struct gusset_field {
     double strength;
     /// Finite numbers, as the kind says; the rest is not read.
     double values[16];
-    /// Pairs of finite, increasing time and strength, which is constant before the first key and after the last. NULL:
-    /// constant.
+    /// Finite pairs of time and strength, by increasing time. Strength is constant before the first key and after the
+    /// last. NULL: constant.
     const double *keys;
     size_t key_count;
     /// Three numbers for each control point of GUSSET_FIELD_LATTICE; else NULL.
@@ -613,7 +608,6 @@ typedef struct gusset_field {
 /// - Fields of strength 0 change no bit.
 /// - Equal bits of glued nodes stay equal. Missing nodes stay missing.
 /// - If every field is defined everywhere, a node that overflows becomes missing.
-/// @param fields the chain.
 /// @param time time of keys. For animation, deform a copy of the net at rest.
 /// @errors OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED (node where a partly undefined chain is undefined
 ///     or overflows)
@@ -623,7 +617,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_deform(const struct gusset_c
     const struct gusset_field *fields, size_t count, double time);
 
 /// Moves every node along its normal. Glued nodes stay together; nodes without a normal stay.
-/// @param distance a finite length of either sign.
+/// @param distance finite, of either sign.
 /// @errors OUT_OF_RANGE (distance), FIELD_UNDEFINED (first node to overflow)
 /// @complexity O(nodes); memory of the size of the coordinates.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_displace(const struct gusset_context *context,
@@ -669,7 +663,7 @@ typedef struct gusset_net_measure_report {
     double inertia[9];
 } gusset_net_measure_report;
 
-/// Planarity of the cells of a net.
+/// Planarity of cells.
 typedef struct gusset_net_planarity_report {
     size_t struct_size;
     /// Largest deviation of a cell; 0 without cells.
@@ -689,7 +683,7 @@ typedef struct gusset_net_planarity_report {
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_measure(const struct gusset_context *context,
     const struct gusset_net *net, gusset_net_measures measures, struct gusset_net_measure_report *report);
 
-/// Measures the planarity of the cells of a net.
+/// Measures the planarity of cells.
 /// A cell's deviation is the distance of its corners from their mean plane, divided by the longer diagonal; 0 for
 /// triangles and less, NaN for absent cells.
 /// @param tolerance for above in the report, at least 0.
@@ -811,14 +805,13 @@ typedef struct gusset_net_grid gusset_net_grid;
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_to_mesh(const struct gusset_context *context,
     const struct gusset_net *net, const struct gusset_net_mesh_options *options, struct gusset_result **result);
 
-/// Lends the maps between a net and its mesh.
+/// Lends the maps.
 /// @errors WRONG_HANDLE
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_net_mesh(const struct gusset_result *result,
     struct gusset_net_mesh_report *report);
 
 /// Makes a net from heights over a grid: node (i, j) is at origin + (j spacing[0], i spacing[1], height).
 /// Faces are counter-clockwise from above, for any sign of spacing.
-/// @param heights the grid.
 /// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, OUT_OF_RANGE (spacing, origin)
 /// @complexity O(nodes).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_from_heights_create(const struct gusset_context *context,
@@ -831,7 +824,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_from_heights_create(const st
 /// - If several pairings of triangles form a grid, the choice is deterministic; a torus may close with a shift, unlike
 ///   the original rows and columns.
 /// - Tubes and tori with irregular diagonals, and poles of open sheets with fewer than six triangles, may be refused.
-/// @param grid receives the correspondence; may be NULL.
+/// @param grid receives the correspondence, or NULL.
 /// @errors NO_GRID (a face that violates the grid)
 /// @complexity O(H log d). Closed triangle meshes without distinct poles take several attempts.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_from_mesh_create(const struct gusset_context *context,
@@ -854,7 +847,7 @@ typedef uint32_t gusset_direction;
 /// From row to row.
 #define GUSSET_DIRECTION_DOWN 1
 
-/// Rows or columns replicated to enlarge a net.
+/// Replicated rows or columns.
 typedef uint32_t gusset_replication;
 /// All, as equally as possible.
 #define GUSSET_REPLICATE_UNIFORM 0
@@ -969,7 +962,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_resample_create(const struct
 ///     columns; likewise for rows.
 /// @param rows receives the kept rows, with room for all rows of net; may be NULL.
 /// @param columns likewise for columns.
-/// @param deviation receives the largest deviation; may be NULL.
+/// @param deviation receives the largest deviation, or NULL.
 /// @errors OUT_OF_RANGE, GLUED_INSIDE
 /// @complexity About O(nodes x log rows).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_decimate_create(const struct gusset_context *context,
@@ -1078,7 +1071,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_concatenate_create(const str
     const struct gusset_net *const *nets, size_t net_count, const struct gusset_concatenate_options *options,
     struct gusset_net **joined);
 
-/// Splits a net at a bridge that runs from side to side, and removes the bridge.
+/// Splits a net at a bridge from side to side, and removes it.
 /// Unless changed since, both nets are as before joining, bit for bit; copies that equalised sizes are removed. Split
 /// the last bridge first. Gluing across the bridge is lost.
 /// @param bridge its index.
@@ -1088,7 +1081,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_concatenate_create(const str
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_split_create(const struct gusset_context *context,
     const struct gusset_net *net, size_t bridge, struct gusset_net **first, struct gusset_net **second);
 
-/// Describes a bridge of a net.
+/// Describes a bridge.
 /// @param index below bridge_count of gusset_net_gluing_report.
 /// @errors NO_SUCH_ELEMENT
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_get_bridge(const struct gusset_net *net, size_t index,
@@ -1156,7 +1149,6 @@ typedef struct gusset_net_analysis_options {
 } gusset_net_analysis_options;
 
 /// Finds what a deformation glues, tears, folds and stretches, without deforming the net.
-/// @param net the net before the deformation.
 /// @errors OUT_OF_RANGE, SIDES_DIFFER (another size), CROSSING_CELL (new gluing), as gusset_net_deform
 /// @complexity O(nodes), 24 bytes a node. Fields: O(nodes x fields), a copy of the net and 8 bytes a cell.
 /// @source Deryagin, soft and hard deformations, by links: a zero of the Jacobian does not imply gluing or follow from
@@ -1193,7 +1185,7 @@ typedef uint32_t gusset_net_flags;
 /// Consistent after reversal of some faces.
 #define GUSSET_NET_ORIENTABLE 8
 
-/// Quotient complex: the surface of a net with glued nodes merged.
+/// Quotient complex: the surface of a net.
 typedef struct gusset_net_complex gusset_net_complex;
 
 /// Counts and defects of a complex, in sorted lists. A vertex is its smallest node, an edge a pair.
@@ -1240,7 +1232,7 @@ typedef struct gusset_net_complex_view {
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_complex_create(const struct gusset_context *context,
     const struct gusset_net *net, gusset_net_cells cells, struct gusset_net_complex **quotient);
 
-/// Lends the counts and defects of a complex.
+/// Lends the counts and defects.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_complex_get_view(const struct gusset_net_complex *quotient,
     struct gusset_net_complex_view *view);
 
@@ -1270,7 +1262,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_morph_create(const struct gu
 
 /* ---- Normals: Unit normals, exact at poles and seams. */
 
-/// Computes the unit normal of every node of a net.
+/// Computes the unit normal of every node.
 /// Normals follow gusset_net_view; reversed nets have opposite ones. All cells at a glued point give its nodes one
 /// normal, equal in bits. Absent cells do not count.
 /// @param x receives x: rows x columns aligned numbers of the net's scalar type. Buffers must not overlap each other or
@@ -1326,7 +1318,7 @@ typedef struct gusset_planarise_report {
     uint32_t converged;
 } gusset_planarise_report;
 
-/// Moves nodes until all cells are planar, with locally least squared displacement.
+/// Makes all cells planar, with locally least squared displacement.
 /// Glued nodes stay one point. Absent cells and cells of fewer than four corners do not count.
 /// @errors OUT_OF_RANGE (tolerance), COUNT_DIFFERS (fixed_count too small)
 /// @complexity For each step O(n^1.5) time and O(n log n) memory for n cells.

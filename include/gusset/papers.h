@@ -111,8 +111,7 @@ typedef struct gusset_reference_task {
     uint32_t by_rings;
     /// 1: visits nodes row by row, as Leus does; 0: distant nodes first.
     uint32_t by_rows;
-    /// Rows and columns of cells at an edge that an excluded block covers. 0: removes them, for a smaller surface; 1:
-    /// keeps them.
+    /// Rows and columns of cells at an edge that an excluded block covers. 0: removes them; 1: keeps them.
     uint32_t keep_lines;
     /// CURVE.
     const struct gusset_curve *curve;
@@ -284,7 +283,6 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_winged_get_view(const struct gus
 /// Each face must be one cycle of at least three sides along the wings. Wings and faces must exist; a side without a
 /// face lacks wings. Marks are not read. Edges and edge_of_face of gusset_winged_create give back its faces corner for
 /// corner.
-/// @param edges the records.
 /// @param edge_count 0: no faces.
 /// @param vertex_count exceeds every vertex of an edge.
 /// @param first_edges for each face, the edge where it begins; from M to N if both sides are of the face. NULL: the

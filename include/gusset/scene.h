@@ -65,7 +65,7 @@ GUSSET_API void gusset_scene_destroy(struct gusset_scene *scene);
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_add(const struct gusset_context *context,
     struct gusset_scene *scene, const struct gusset_net *net, uint32_t *entry);
 
-/// Appends an entry to a group. An entry may occur in it repeatedly.
+/// Appends an entry to a group, perhaps repeatedly.
 /// @param group the group.
 /// @param child the entry.
 /// @errors NO_SUCH_ELEMENT (also if group is a net), SCENE_CYCLE
@@ -111,7 +111,6 @@ typedef struct gusset_scene_changes {
 
 /// Changes the net, transform or visibility of an entry.
 /// @param entry the entry.
-/// @param changes the changes.
 /// @errors NO_SUCH_ELEMENT (also if a group would get a net), OUT_OF_RANGE (transform)
 /// @complexity O(1); O(nodes) for a net in the caller's memory.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_set_entry(const struct gusset_context *context,
@@ -139,7 +138,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_net_create(const struct gu
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_get_children(const struct gusset_context *context,
     const struct gusset_scene *scene, uint32_t group, uint32_t *children, size_t capacity, size_t *written);
 
-/// Counts the contents of a scene.
+/// Counts the contents.
 /// @complexity O(entries + children).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_get_report(const struct gusset_scene *scene,
     struct gusset_scene_report *report);

@@ -65,7 +65,7 @@ typedef struct gusset_stream_view {
     size_t struct_size;
     /// First byte.
     const void *data;
-    /// Number of bytes.
+    /// Bytes.
     size_t size;
 } gusset_stream_view;
 
@@ -81,7 +81,7 @@ typedef struct gusset_stream_decoder gusset_stream_decoder;
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_encode_create(const struct gusset_context *context,
     const struct gusset_net *net, const struct gusset_stream_options *options, struct gusset_stream **stream);
 
-/// Lends the bytes of a stream.
+/// Lends the bytes.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_stream_get_view(const struct gusset_stream *stream,
     struct gusset_stream_view *view);
 
@@ -106,17 +106,17 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_stream_inspect(const struct guss
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_decode_create(const struct gusset_context *context,
     const void *data, size_t size, uint64_t node_limit, struct gusset_net **net);
 
-/// Makes a decoder of a stream that arrives in pieces.
+/// Makes a decoder.
 /// @param node_limit most nodes; 0: 2^31 - 1. Memory is allocated before the stream is complete.
 /// @complexity O(1).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_stream_decoder_create(const struct gusset_context *context,
     uint64_t node_limit, struct gusset_stream_decoder **decoder);
 
-/// Passes the next bytes of a stream to a decoder.
+/// Passes the next bytes to a decoder.
 /// After OUT_OF_MEMORY the decoder is unchanged; any other error is final, and further calls return it.
 /// @param data any number of bytes.
 /// @param size bytes.
-/// @param rows_done receives the count of complete rows; may be NULL.
+/// @param rows_done receives the count of complete rows, or NULL.
 /// @errors BAD_STREAM (byte), TOO_LARGE
 /// @complexity O(bytes + nodes of completed blocks).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_stream_decoder_push(const struct gusset_context *context,

@@ -12,7 +12,7 @@ extern "C" {
 
 /* ---- Surfaces: Smooth surfaces that answer queries from an index. */
 
-/// A smooth surface of sheets, indexed for queries. The sheets may be destroyed.
+/// A smooth surface of sheets, indexed for queries.
 typedef struct gusset_surface gusset_surface;
 
 /// Size and numbering of a surface's sheet.
@@ -37,7 +37,7 @@ typedef struct gusset_surface_sheet {
 typedef struct gusset_surface_place {
     /// Index of the sheet.
     uint32_t sheet;
-    /// Row of the cell, between node rows row and row + 1.
+    /// Row of the cell.
     uint32_t row;
     /// Column of the cell.
     uint32_t column;
@@ -122,7 +122,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_create(const struct guss
     const struct gusset_sheet *const *sheets, size_t count, const struct gusset_surface_options *options,
     struct gusset_surface **surface);
 
-/// Frees a surface. Its results stay valid.
+/// Frees a surface.
 GUSSET_API void gusset_surface_destroy(struct gusset_surface *surface);
 
 /// Lends the curves.
@@ -134,7 +134,7 @@ GUSSET_API void gusset_surface_paths_destroy(struct gusset_surface_paths *paths)
 
 /* ---- Sheets: Smooth patches through a grid of nodes. */
 
-/// A piece of surface: rows and columns of cells, each a Bézier patch. Its sources may be destroyed.
+/// A piece of surface: rows and columns of cells, each a Bézier patch.
 typedef struct gusset_sheet gusset_sheet;
 
 /// Interpolation through nodes.
@@ -192,7 +192,7 @@ typedef struct gusset_tangents {
 } gusset_tangents;
 
 /// Makes a sheet through nodes, or the C1 bicubic Hermite surface of given tangents.
-/// Repeated nodes and rows that are one point (poles) are allowed.
+/// Repeated nodes and poles are allowed.
 /// Borrowed nodes are f64, with address and strides that are multiples of 8. They must stay valid and unchanged until
 /// the sheet and everything made of it are destroyed.
 /// @param nodes finite.
@@ -207,7 +207,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_create(const struct gusset
     const struct gusset_nodes *nodes, const struct gusset_tangents *tangents, uint32_t borrow,
     struct gusset_sheet **sheet);
 
-/// Frees a sheet. Results made of it stay valid.
+/// Frees a sheet.
 GUSSET_API void gusset_sheet_destroy(struct gusset_sheet *sheet);
 
 /* ---- Nearest points: Nearest points and local minima of the distance. */
@@ -257,18 +257,18 @@ typedef struct gusset_surface_points_view {
     /// The points, nearest first.
     const struct gusset_surface_nearest_point *points;
     size_t count;
-    /// Below it, no minimum is missing.
+    /// No minimum below this distance is missing.
     double bound;
-    /// 0 if the search stopped at `bound`, as for a constant distance. @flag
+    /// 0 if the search stopped at `bound`. @flag
     uint32_t complete;
     uint32_t reserved;
 } gusset_surface_points_view;
 
-/// Finds the nearest point of a surface for each query.
+/// Finds the nearest point for each query.
 /// Among equally near points, the first by sheet, row and column is returned. Answers do not depend on other queries.
-/// @param queries the points.
+/// @param queries up to 1e150.
 /// @param points receives count answers in order; after an error, none is found.
-/// @errors TOO_LARGE, NOT_FINITE (query), OUT_OF_RANGE (limit; a coordinate beyond 1e150)
+/// @errors TOO_LARGE, NOT_FINITE (query), OUT_OF_RANGE (limit, query)
 /// @complexity O(log nodes) a query, parallel; more near centres of curvature, but bounded.
 /// @source Leus, task a.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_nearest(const struct gusset_context *context,
@@ -276,11 +276,11 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_nearest(const struct gus
     const struct gusset_nearest_options *options, struct gusset_surface_nearest_point *points);
 
 /// Finds the local minima of the distance from a query.
-/// No minimum is missed. If the distance is constant, as at a focus, one point represents all cells that touch there,
+/// No minimum is missed. If the distance is constant, one point represents all cells that touch there,
 /// GUSSET_NEAREST_AMBIGUOUS but not GUSSET_NEAREST_PROVEN. On borders and creases, no path on the surface leads nearer.
 /// @param query up to 1e150.
 /// @param points receives the minima.
-/// @errors NOT_FINITE, OUT_OF_RANGE (limit; a coordinate beyond 1e150)
+/// @errors NOT_FINITE, OUT_OF_RANGE (limit, query)
 /// @complexity O(cells within the limit, or up to the last of max_count minima).
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_minima_create(const struct gusset_context *context,
     const struct gusset_surface *surface, const double *query, const struct gusset_nearest_options *options,
@@ -320,8 +320,7 @@ typedef struct gusset_surface_point {
     double vv[3];
     /// Unit normal along S_u x S_v; 0 if undefined.
     double normal[3];
-    /// For GUSSET_NORMAL_LIMIT: largest angle to limits along other lines; small at a smooth pole, large at a cone's
-    /// tip.
+    /// For GUSSET_NORMAL_LIMIT: largest angle to limits along other lines.
     double spread;
     /// Principal curvatures, the greater first; positive if bent towards the normal.
     double principal[2];
@@ -375,7 +374,7 @@ typedef uint32_t gusset_hit_selection;
 #define GUSSET_HITS_ALL 0
 /// The first hit.
 #define GUSSET_HITS_FIRST 1
-/// Any one hit, if one exists.
+/// Any one hit.
 #define GUSSET_HITS_ANY 2
 
 /// Kind of a hit.
@@ -521,7 +520,7 @@ typedef struct gusset_nearest_angle_report {
     double bound;
 } gusset_nearest_angle_report;
 
-/// Draws contours of a function on a surface: sections, contours of values, or isophotes.
+/// Draws contours of a function.
 /// Curves are ordered by level, then by lowest cell. Seen against the normals, the function increases to the left of a
 /// curve (angles decrease): a section runs along direction x normal.
 /// Every curve is found, even within one cell; curves up to the tolerance in size are unresolved. On a closed surface
@@ -587,16 +586,16 @@ typedef struct gusset_intersection_options {
 /// - The gap is within the tolerance. A larger gap leaves a loop, nothing, or two separate branches.
 /// Within a contact's radius, loops are omitted and paths run straight to its point. The radius is at most about 4
 /// sqrt(2 tolerance / c), c the least curvature of the difference. At a crossing, a path turns into the branch that
-/// closes it, if any: a figure of eight becomes two closed paths with a common point.
-/// Unresolved cells of the first surface are those where
+/// closes it, if any.
+/// Cells of the first surface are unresolved where
 /// - the surfaces coincide, or touch along a curve, at a pole, at a border or to a higher order;
 /// - the work limit is exceeded, as by branches within 1e-4 of a cell of each other, or nearly along cell sides of both
 ///   surfaces.
 /// There, curves may end, split or be missing, but are joined across a cell if a chord is as near to both surfaces as
 /// elsewhere.
 /// Self-intersections:
-/// - Along a closed curve the pieces may swap (Klein bottle): it ends at its first point with `places` and `others`
-///   exchanged. A seam that turns the sheet over (Möbius band) also reverses the direction.
+/// - Along a closed curve the pieces may swap: it ends at its first point with `places` and `others` exchanged. A seam
+///   that turns the sheet over also reverses the direction.
 /// - Common points of joined cells do not count. Joined cells share a side, corner or pole, or lie at opposite borders
 ///   of a sheet with equal control points, in either order, to 64 units of rounding of the largest coordinate.
 /// - A common border of different sheets is an intersection.
@@ -615,7 +614,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_intersection_create(cons
     const struct gusset_surface *surface, const struct gusset_surface *other,
     const struct gusset_intersection_options *options, struct gusset_surface_paths **paths);
 
-/* ---- Distances: Nearest points of a surface and a line, a plane, a curve or another surface. */
+/* ---- Distances: Nearest points of a surface and a line, plane, curve or surface. */
 
 /// Kind of a target.
 typedef uint32_t gusset_target_kind;
@@ -680,8 +679,8 @@ typedef struct gusset_distance_report {
 } gusset_distance_report;
 
 /// Finds the nearest points of a surface and a target.
-/// Among equally near pairs, the choice is deterministic. If much of the surface is equally near, as a tube to its
-/// axis, the proof may fail. If a plane meets the surface, the points lie on the section.
+/// Among equally near pairs, the choice is deterministic. If much of the surface is equally near, the proof may fail.
+/// If a plane meets the surface, the points lie on the section.
 /// @param tolerance length to which the distance is proved, finite; 0: the surface's, or the greater of two.
 /// @errors OUT_OF_RANGE (tolerance; `line`; a plane not finite, too large or without direction; a curve too large),
 ///     EMPTY_CURVE
@@ -786,7 +785,7 @@ typedef struct gusset_curve_net {
     uint32_t closed_v;
 } gusset_curve_net;
 
-/// Makes a sheet from Bézier patches in rows and columns.
+/// Makes a sheet from Bézier patches.
 /// Adjacent patches should share sides. Repeated points and poles are allowed.
 /// @param points patch after patch, row after row; (degree_u + 1) x (degree_v + 1) points a patch, v fastest.
 /// @param degree_u 1 to 7.
@@ -819,7 +818,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_from_spline_create(const s
 /// the same number of segments between two nodes, these are matched in order. Else all rows are cut at each joint,
 /// which adds cells. Columns likewise.
 /// The surface is C1 where the curves are C1 over common knots without joints between nodes; elsewhere nearly C1 (see
-/// gusset_sheet_measure). Polylines keep their creases; for smooth curves, see gusset_outline_create.
+/// gusset_sheet_measure). Polylines keep their creases.
 /// @errors NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree, tolerance), CURVE_NOT_CLOSED, CURVES_APART (with row and
 ///     distance; also out of order), TOO_LARGE
 /// @complexity O(rows x columns x log segments + cells); 384 bytes a cell up to degree 3, else 1536.
@@ -977,7 +976,7 @@ typedef struct gusset_sheet_mesh_report {
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_to_mesh(const struct gusset_context *context,
     const struct gusset_sheet *sheet, const struct gusset_sheet_mesh_options *options, struct gusset_result **result);
 
-/// Lends places and normals of a sheet's mesh.
+/// Lends the places and normals.
 /// @errors WRONG_HANDLE
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_sheet_mesh(const struct gusset_result *result,
     struct gusset_sheet_mesh_report *report);
@@ -1021,7 +1020,7 @@ typedef struct gusset_surface_cells_view {
 /// No cell is missed; a cell may lie outside by the tolerance, or more if bounded work cannot decide.
 /// @param query up to 1e150.
 /// @param radius at least 0; INFINITY: all cells.
-/// @errors NOT_FINITE, OUT_OF_RANGE (radius; a coordinate beyond 1e150)
+/// @errors NOT_FINITE, OUT_OF_RANGE (radius, query)
 /// @complexity O(cells found), and one bit a cell.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_region_create(const struct gusset_context *context,
     const struct gusset_surface *surface, const double *query, double radius, struct gusset_surface_cells **cells);
@@ -1060,7 +1059,7 @@ typedef uint32_t gusset_sheet_direction;
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_through_create(const struct gusset_context *context,
     const double *nodes, size_t count, uint32_t closed, gusset_scheme scheme, struct gusset_curve **curve);
 
-/// Makes an exact coordinate curve of a sheet, one segment for each cell.
+/// Makes an exact coordinate curve of a sheet, one segment a cell.
 /// @param parameter the constant u or v, 0 to the number of cells in its direction.
 /// @errors OUT_OF_RANGE (parameter)
 /// @complexity O(cells along the curve).

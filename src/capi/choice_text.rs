@@ -114,7 +114,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ]),
     ("gusset_index", &[
         (0, c"32-bit unsigned integers."),
-        (1, c"Reserved; returns GUSSET_ERROR_UNKNOWN_VALUE."),
+        (1, c"Reserved: GUSSET_ERROR_UNKNOWN_VALUE."),
     ]),
     ("gusset_welding", &[
         (0, c"Sewn, with the tolerance of weld_options; edges are split where vertices do not match, as in gusset_sew."),
@@ -122,7 +122,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (2, c"Sewn where they match vertex by vertex, as in gusset_weld."),
     ]),
     ("gusset_gap", &[
-        (0, c"Limits by size."),
+        (0, c"The width of a gap is the larger mean distance from either loop to the nearest points of the other."),
         (1, c"max_gap."),
     ]),
     ("gusset_overlaps", &[
@@ -168,7 +168,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ]),
     ("gusset_fairing", &[
         (0, c"New vertices divide the meridians of a strip evenly, or lie on the first triangulation of a patch."),
-        (1, c"The new surface bends like a thin plate and meets the old one smoothly."),
+        (1, c"The new surface bends like a thin plate and meets the old one smoothly: least sum of squared Laplacians over new vertices and rims."),
     ]),
     ("gusset_intersections", &[
         (0, c"Finds intersections of the strip, and reduces them:"),
@@ -192,7 +192,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ]),
     ("gusset_centres", &[
         (0, c"Mean of the vertices."),
-        (1, c"Mean along the curve, independent of the vertex spacing."),
+        (1, c"Mean along the curve, independent of vertex spacing."),
     ]),
     ("gusset_row_rule", &[
         (0, c"0: each meridian is one edge."),
@@ -219,7 +219,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ]),
     ("gusset_fill_keep", &[
         (0, c"All loops are holes."),
-        (1, c"The longest loop (the first of equals), as the outline of a sheet."),
+        (1, c"The longest loop (the first of equals)."),
         (2, c"Outer borders of sheets, which a patch would cover: loops whose area vector has a positive dot product with their component's, and a length of at least half the component's area."),
     ]),
     ("gusset_fill_together", &[
@@ -229,7 +229,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ]),
     ("gusset_fill_refinement", &[
         (0, c"No new vertices."),
-        (1, c"New vertices as dense as the vertices around the hole."),
+        (1, c"New vertices as dense as those around the hole."),
     ]),
     ("gusset_fill_continuity", &[
         (0, c"Tangent continuity: fairing minimises the squared Laplacian."),
@@ -272,13 +272,13 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ("gusset_alignment_start", &[
         (0, c"As given, moved by poses if any."),
         (1, c"Principal axes on the first piece's, in the one of four ways that puts most of the piece on it."),
-        (2, c"Rims of like shape put together; the rims then hold the pieces."),
+        (2, c"Rims of like shape put together; they then hold the pieces."),
     ]),
     ("gusset_aligned_reason", &[
         (0, c"Trusted: the piece fits trusted pieces, up to the first."),
         (1, c"The piece lacks faces with area, or overlaps others too little."),
         (2, c"Too much of the piece near others is off their surfaces."),
-        (3, c"Up to the noise of normals, the piece is free to slide or turn, as on planes, spheres or cylinders."),
+        (3, c"Up to the noise of normals, the piece is free to slide or turn."),
         (4, c"Most of the overlap has opposite normals: the piece is inside out, or mirrored."),
         (5, c"The piece overlaps nothing, and is over 50 times larger or smaller than the first: its unit probably differs."),
         (6, c"The piece fits untrusted pieces only."),
@@ -348,10 +348,10 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (5, c"32-bit unsigned integers."),
     ]),
     ("gusset_rule", &[
-        (0, c"Weighted mean, as for colours; integers are rounded."),
+        (0, c"Weighted mean; integers are rounded."),
         (1, c"Directions of three floats: weighted mean on the sphere, of length 1."),
         (2, c"Bone weights, at least 0: weighted mean."),
-        (3, c"Value of the source with the largest weight (the first of equals), as for materials."),
+        (3, c"Value of the source with the largest weight (the first of equals)."),
         (4, c"Texture coordinates."),
     ]),
     ("gusset_net_memory", &[
@@ -367,7 +367,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
         (32, c"The last column is one point."),
         (0, c"All sides are open."),
         (1, c"Rows are closed."),
-        (13, c"Rows are closed, the first and last are poles: spheres, closed cylinders and cones."),
+        (13, c"Rows are closed, the first and last are poles."),
         (60, c"All four sides are one point."),
         (3, c"Rows and columns are closed."),
     ]),
@@ -617,7 +617,7 @@ pub(super) static TEXTS: &[(&str, Texts)] = &[
     ("gusset_hit_selection", &[
         (0, c"All hits, ordered along the line."),
         (1, c"The first hit."),
-        (2, c"Any one hit, if one exists."),
+        (2, c"Any one hit."),
     ]),
     ("gusset_hit_kind", &[
         (0, c"No hit."),

@@ -1,4 +1,4 @@
-//! Contexts: Threads, progress, cancellation, log, and the report of the last error.
+//! Contexts: Settings and outcomes of calls.
 
 use super::glue::versioned;
 use super::guard::catch_panic;

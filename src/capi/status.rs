@@ -21,8 +21,7 @@ pub enum gusset_status {
     GUSSET_OK = 0,
     /// A pointer that must not be NULL is NULL.
     GUSSET_ERROR_NULL_ARGUMENT = 1,
-    /// A pointer to a struct, a handle or an output is misaligned. Element arrays may have any
-    /// alignment.
+    /// A pointer to a struct, a handle or an output is misaligned.
     GUSSET_ERROR_MISALIGNED_ARGUMENT = 2,
     /// struct_size is smaller than the first version of the struct.
     GUSSET_ERROR_BAD_STRUCT_SIZE = 3,
@@ -391,7 +390,7 @@ impl From<Error> for Failure {
     }
 }
 
-/// Describes a status in a few English words.
+/// Describes a status in English.
 ///
 /// @param status an unknown one gives "unknown status".
 /// @return a static string, never NULL.

@@ -1,4 +1,4 @@
-//! Versions: The version of the library and of its binary interface.
+//! Versions: Versions of the library and its binary interface.
 
 use std::ffi::{CStr, c_char};
 

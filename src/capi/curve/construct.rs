@@ -88,7 +88,7 @@ pub unsafe extern "C" fn gusset_curve_reverse_create(
     create(context, reversed, "reversed", |job| Ok(gusset_curve(view(curve, "curve")?.reversed(job)?)))
 }
 
-/// Raises and lowers the degrees of a curve's segments.
+/// Raises and lowers degrees of segments.
 ///
 /// Raising is exact. Lowering is a least-squares fit with fixed ends.
 ///

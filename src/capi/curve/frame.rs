@@ -89,7 +89,7 @@ pub struct gusset_frame_options {
     /// NULL: straight.
     /// @shape axis_point_count 3
     pub axis_points: *const f64,
-    /// Number of sections.
+    /// Sections.
     pub axis_point_count: usize,
     /// LANDMARKS: for each section the same number of indices of its points, in order.
     pub landmarks: gusset_indices,
@@ -109,7 +109,7 @@ pub struct gusset_frame_options {
 pub struct gusset_frame_view {
     /// sizeof(gusset_frame_view).
     pub struct_size: usize,
-    /// Number of sections.
+    /// Sections.
     pub rows: usize,
     /// Nodes in a section.
     pub columns: usize,

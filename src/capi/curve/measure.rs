@@ -135,7 +135,7 @@ pub unsafe extern "C" fn gusset_curve_evaluate(
     })
 }
 
-/// Finds the nearest point of a curve for each given point.
+/// Finds the nearest point for each given point.
 ///
 /// @param points finite.
 /// @param out receives count answers.
@@ -160,7 +160,7 @@ pub unsafe extern "C" fn gusset_curve_nearest(
     })
 }
 
-/// Computes arc lengths from the start of a curve to places.
+/// Computes arc lengths from the start to places.
 ///
 /// @param out receives count lengths.
 /// @errors NO_SUCH_ELEMENT (place)
@@ -186,7 +186,7 @@ pub unsafe extern "C" fn gusset_curve_lengths_at(
     })
 }
 
-/// Finds the places at arc lengths from the start of a curve, clamped to its ends.
+/// Finds the places at arc lengths from the start, clamped to the ends.
 ///
 /// @param out receives count places.
 /// @param lengths arc lengths.

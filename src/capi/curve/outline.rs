@@ -1,4 +1,4 @@
-//! Outlines: Curves through given points: the inverse problem of Bezier curves.
+//! Outlines: Curves through given points.
 //!
 //! @source Nadopta.
 
@@ -310,8 +310,8 @@ pub unsafe extern "C" fn gusset_outline_curve_create(
 ///     NULL.
 /// @param parameters receives each point's parameter on its section, 0 and 1 at ends of open
 ///     outlines; may be NULL.
-/// @param statuses receives the gusset_point_status of each point; may be NULL.
-/// @param steps receives the steps of GUSSET_SOLVER_STEP over all sections; may be NULL.
+/// @param statuses receives the gusset_point_status of each point, or NULL.
+/// @param steps receives the steps of GUSSET_SOLVER_STEP over all sections, or NULL.
 /// @errors as gusset_outline_create
 /// @complexity O(n); no memory.
 /// @source Nadopta; B = P + (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C - A) of the

@@ -22,22 +22,21 @@ pub const GUSSET_ALIGN_AS_GIVEN: gusset_alignment_start = 0;
 /// Principal axes on the first piece's, in the one of four ways that puts most of the piece on it.
 /// For pieces that show one object whole.
 pub const GUSSET_ALIGN_PRINCIPAL_AXES: gusset_alignment_start = 1;
-/// Rims of like shape put together; the rims then hold the pieces. For parts of a cut or broken
-/// surface that do not overlap.
+/// Rims of like shape put together; they then hold the pieces. For parts of a cut or broken surface
+/// without overlap.
 pub const GUSSET_ALIGN_RIMS: gusset_alignment_start = 2;
 
 /// Verdict on the pose of a piece.
 pub type gusset_aligned_reason = u32;
 /// Trusted: the piece fits trusted pieces, up to the first. The fit is judged to a mean edge: a
-/// slightly scaled or mirrored smooth surface may pass (see rms and converged). Pieces that could
-/// only slide together also pass.
+/// slightly scaled or mirrored smooth surface may pass. Pieces that could only slide together also
+/// pass.
 pub const GUSSET_ALIGNED_TRUSTED: gusset_aligned_reason = 0;
 /// The piece lacks faces with area, or overlaps others too little.
 pub const GUSSET_ALIGNED_NO_OVERLAP: gusset_aligned_reason = 1;
 /// Too much of the piece near others is off their surfaces.
 pub const GUSSET_ALIGNED_POOR_FIT: gusset_aligned_reason = 2;
-/// Up to the noise of normals, the piece is free to slide or turn, as on planes, spheres or
-/// cylinders.
+/// Up to the noise of normals, the piece is free to slide or turn.
 pub const GUSSET_ALIGNED_UNDETERMINED: gusset_aligned_reason = 3;
 /// Most of the overlap has opposite normals: the piece is inside out, or mirrored.
 pub const GUSSET_ALIGNED_FACES_OTHER_WAY: gusset_aligned_reason = 4;
@@ -101,7 +100,7 @@ pub struct gusset_overlap {
     pub rms: f64,
     /// Fraction on the other piece of the points within 8 mean edges of it, 0 to 1.
     pub fit: f64,
-    /// Points on the other piece.
+    /// Number of points on it.
     pub count: u32,
     /// 1 if count is at least 30 and fit at least 2/3.
     /// @flag
@@ -200,14 +199,13 @@ impl gusset_alignment {
 /// over 45 degrees. Distant matches weigh less. A piece without overlap stays at its start; an
 /// underdetermined piece may slide.
 ///
-/// @param pieces at least one; struct_size of the first holds for all.
+/// @param pieces as for gusset_join.
 /// @errors as gusset_mesh_view, EMPTY_MESH, OUT_OF_RANGE (max_distance; a pose that is not rigid,
 ///     by index), COUNT_DIFFERS (fewer poses than pieces), TOO_LARGE
 /// @complexity O(V log V) for V vertices of a piece, and in each of usually 10 to 30 rounds
-///     O(samples log V) a piece and neighbour; GUSSET_ALIGN_RIMS: 512^2 for two pieces. Memory
-///     linear.
-/// @source P. Besl and N. McKay (1992); Y. Chen and G. Medioni (1992); G. Turk and M. Levoy (1994);
-///     P. Neugebauer (1997); S. Rusinkiewicz, A symmetric objective function for ICP (2019).
+///     O(samples log V) a piece and neighbour; GUSSET_ALIGN_RIMS: 512^2 for two pieces.
+/// @source Besl and McKay 1992; Chen and Medioni 1992; Turk and Levoy 1994; Neugebauer 1997;
+///     Rusinkiewicz 2019.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_alignment_create(

@@ -33,7 +33,7 @@ pub const GUSSET_VALUE_U32: gusset_value_type = 5;
 
 /// Rule that combines the values of several sources. A single source's value stays bit for bit.
 pub type gusset_rule = u32;
-/// Weighted mean, as for colours; integers are rounded.
+/// Weighted mean; integers are rounded.
 pub const GUSSET_RULE_LINEAR: gusset_rule = 0;
 /// Directions of three floats: weighted mean on the sphere, of length 1. Faces that the operation
 /// turned over negate theirs.
@@ -41,7 +41,7 @@ pub const GUSSET_RULE_NORMAL: gusset_rule = 1;
 /// Bone weights, at least 0: weighted mean. The max_influences largest (the first of equals) are
 /// kept and scaled to the sum 1, or to the largest value of an integer type.
 pub const GUSSET_RULE_SKIN_WEIGHTS: gusset_rule = 2;
-/// Value of the source with the largest weight (the first of equals), as for materials.
+/// Value of the source with the largest weight (the first of equals).
 pub const GUSSET_RULE_NEAREST: gusset_rule = 3;
 /// Texture coordinates. Vertices and faces: weighted mean. Corners of new faces:
 /// - Weighted mean where both sides are on one chart.
@@ -108,9 +108,9 @@ pub struct gusset_channel_values {
 versioned! { gusset_channel: 32 reserved }
 fixed! { gusset_channel_values: 24 }
 
-/// Transfers values from elements of inputs to elements of a result.
+/// Transfers values from elements of inputs to a result's.
 ///
-/// Elements without sources, or whose sources all lack the values, get 0.
+/// Elements without sources that have values get 0.
 ///
 /// @param inputs values of each input of the origins, in order.
 /// @param values receives the components of each element at every stride, at any alignment; bytes
@@ -195,11 +195,11 @@ pub(crate) fn carry_over(
 
 /// Finds which vertices are one, for merge of gusset_mesh_view.
 ///
-/// Vertices with equal keys are one, as after splits at seams of textures or normals. Without keys,
-/// vertices at equal finite positions are one; -0 equals 0.
+/// Vertices with equal keys are one; without keys, vertices at equal finite positions, -0 equal to
+/// 0.
 ///
 /// @param keys one for each vertex; NULL: positions.
-/// @param merge receives for each vertex the smallest vertex that it is one with; at any alignment.
+/// @param merge receives for each vertex the smallest that it is one with; at any alignment.
 /// @errors as gusset_mesh_view
 /// @complexity O(V log V) for V vertices; 8 bytes for each, 12 with keys.
 #[unsafe(no_mangle)]

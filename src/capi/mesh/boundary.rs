@@ -1,4 +1,4 @@
-//! Boundary loops: Finds the boundary loops of a mesh, and reports defects.
+//! Boundary loops: Finds boundary loops and defects.
 //!
 //! @source Nesterenko, algorithm 1, as corrected.
 
@@ -80,11 +80,11 @@ pub const GUSSET_DEFECT_ORIENTATION_CONFLICT: gusset_defect_kind = 2;
 /// An edge has three or more half-edges: index is the first, count their number. A face may count
 /// twice.
 pub const GUSSET_DEFECT_NON_MANIFOLD_EDGE: gusset_defect_kind = 3;
-/// The faces at a vertex (index) form more than one fan. Fans end at non-manifold edges, whose ends
-/// are listed too where a loop passes them.
+/// The faces at a vertex (index) form more than one fan. Ends of non-manifold edges are listed too
+/// where a loop passes them.
 pub const GUSSET_DEFECT_BOW_TIE: gusset_defect_kind = 4;
 
-/// Boundary loops of a mesh. It does not refer to the mesh.
+/// Boundary loops of a mesh.
 pub struct gusset_boundary {
     boundary: Boundary,
     defects: Vec<gusset_defect>,
@@ -113,7 +113,7 @@ pub struct gusset_loop_view {
     pub struct_size: usize,
     /// Vertices, each once. A closed loop starts at its smallest half-edge.
     pub vertices: gusset_indices,
-    /// Half-edge (position in face_corners) of each edge.
+    /// Half-edge of each edge.
     pub half_edges: gusset_indices,
     /// Face beside each edge.
     pub faces: gusset_indices,
@@ -186,7 +186,7 @@ impl From<&Defect> for gusset_defect {
     }
 }
 
-/// Finds all boundary loops of a mesh: chains of boundary edges.
+/// Finds all boundary loops: chains of boundary edges.
 ///
 /// Loops run as the faces along them: seen from outside, with counter-clockwise faces, the surface
 /// is on the left.
@@ -198,10 +198,8 @@ impl From<&Defect> for gusset_defect {
 ///   count as adjacent.
 ///
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d); GUSSET_SURVEY_BOUNDARY_ONLY O(H + B log B) for B boundary edges; linear
-///     memory.
-/// @source Nesterenko, algorithm 1, corrected: every loop, a stated direction, fan by fan round
-///     each vertex.
+/// @complexity O(H log d); GUSSET_SURVEY_BOUNDARY_ONLY O(H + B log B) for B boundary edges.
+/// @source Nesterenko, algorithm 1, corrected.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_boundary_create(
@@ -226,7 +224,7 @@ pub unsafe extern "C" fn gusset_boundary_destroy(boundary: *mut gusset_boundary)
     handle::destroy(boundary);
 }
 
-/// Lends the counts and defects of a boundary.
+/// Lends the counts and defects.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_boundary_get_view(
@@ -242,7 +240,7 @@ pub unsafe extern "C" fn gusset_boundary_get_view(
     })
 }
 
-/// Lends one loop of a boundary.
+/// Lends one loop.
 ///
 /// @param index below loop_count of gusset_boundary_view.
 /// @errors NO_SUCH_ELEMENT

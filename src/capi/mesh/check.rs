@@ -21,7 +21,7 @@ pub const GUSSET_MESH_ORIENTED: gusset_mesh_flags = 4;
 /// The mesh is oriented, or would be after turning faces over.
 pub const GUSSET_MESH_ORIENTABLE: gusset_mesh_flags = 8;
 
-/// Findings of a check. It does not refer to the mesh.
+/// Findings of a check.
 pub struct gusset_check(Check);
 
 handle! { gusset_check }
@@ -32,9 +32,9 @@ handle! { gusset_check }
 pub struct gusset_check_view {
     /// sizeof(gusset_check_view).
     pub struct_size: usize,
-    /// Vertices, including unused ones.
+    /// Vertices, also unused ones.
     pub vertex_count: u32,
-    /// Distinct edges: pairs of different vertices, consecutive in a face.
+    /// Distinct edges, between different vertices.
     pub edge_count: u32,
     /// Faces.
     pub face_count: u32,
@@ -44,7 +44,7 @@ pub struct gusset_check_view {
     pub boundary_walk_count: u32,
     /// Properties of a mesh.
     pub properties: gusset_mesh_flags,
-    /// Used vertices - edges + all faces: the Euler characteristic if no face is degenerate.
+    /// Used vertices - edges + faces: the Euler characteristic without degenerate faces.
     pub euler: i64,
     /// Handles of all components together; -1 if not manifold or orientable, or with a degenerate
     /// face.
@@ -59,8 +59,7 @@ pub struct gusset_check_view {
     pub bow_ties: gusset_indices,
     /// First half-edge of each edge whose two faces run it in the same direction.
     pub orientation_conflicts: gusset_indices,
-    /// Faces with the same cycle of vertices, in either direction, as an earlier face; none
-    /// degenerate.
+    /// Faces with the cycle of vertices of an earlier face, in either direction; none degenerate.
     pub duplicate_faces: gusset_indices,
     /// Faces that repeat a vertex.
     pub degenerate_faces: gusset_indices,
@@ -75,7 +74,7 @@ versioned! { gusset_check_view: 192 }
 /// Checks the topology of a mesh.
 ///
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d); linear memory.
+/// @complexity O(H log d).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_check_create(
@@ -96,7 +95,7 @@ pub unsafe extern "C" fn gusset_check_destroy(check: *mut gusset_check) {
     handle::destroy(check);
 }
 
-/// Lends the findings of a check.
+/// Lends the findings.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_check_get_view(

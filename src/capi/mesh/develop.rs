@@ -63,16 +63,15 @@ impl gusset_develop_options {
     }
 }
 
-/// Flattens a surface with the least distortion, as a cutting pattern.
+/// Flattens a surface with the least distortion.
 ///
 /// The surface is cut along the given paths; components that are not discs are then opened along
 /// short paths. Each connected component of the rest is a chart. The result has the surface's
-/// scalar type and z = 0; faces keep their order and first corners, and are counter-clockwise. For
-/// nets and sheets, see gusset_net_to_mesh and gusset_sheet_to_mesh.
-/// - A chart that unfolds about its edges keeps their lengths: cylinders, cones, tangent
-///   developables in plane strips. The error is at most 1e-10 of the length, or of 1e-3 mean edges
-///   if more, before rounding, which grows with the distance from the origin. The chart may overlap
-///   itself, and rounding may turn over triangles without area.
+/// scalar type and z = 0; faces keep their order and first corners, and are counter-clockwise.
+/// - A chart that unfolds about its edges, as a cylinder or cone does, keeps their lengths. The
+///   error is at most 1e-10 of the length, or of 1e-3 mean edges if more, before rounding, which
+///   grows with the distance from the origin. The chart may overlap itself, and rounding may turn
+///   over triangles without area.
 /// - Other charts descend to the least distortion. The map is one-to-one: no triangle is turned
 ///   over, and the border does not meet itself. If this ends the descent early, finish is
 ///   GUSSET_CHART_STALLED.
@@ -90,10 +89,8 @@ impl gusset_develop_options {
 ///     REPEATED_CORNER
 /// @complexity O(H log H) if charts unfold; else O(n^1.5) for n vertices of a chart, each step and
 ///     each dart; memory O(n log n).
-/// @source M. Rabinovich et al., Scalable locally injective mappings (2017), for the descent; B.
-///     Levy et al., Least squares conformal maps (2002); J. Erickson, K. Whittlesey, Greedy optimal
-///     homotopy and homology generators (2005), for the cuts that open; M. Ben-Chen et al.,
-///     Conformal flattening by curvature prescription and metric scaling (2008), for darts.
+/// @source Rabinovich et al. 2017, for the descent; Levy et al., Least squares conformal maps,
+///     2002; Erickson and Whittlesey 2005, for opening cuts; Ben-Chen et al. 2008, for darts.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_develop(

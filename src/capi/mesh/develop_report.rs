@@ -1,4 +1,4 @@
-//! Developments: reports: Charts, cuts and distortion of a development.
+//! Developments: reports: Charts, cuts and distortion.
 
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::input::lent;
@@ -49,9 +49,8 @@ pub struct gusset_chart {
     pub finish: gusset_chart_finish,
     /// Steps of all descents.
     pub iterations: u32,
-    /// Pairs of border edges that meet in the plane, except neighbours. 0 unless finish is
-    /// GUSSET_CHART_FOLDED or GUSSET_CHART_EXACT, where crossings count from 1e-8 of the root of
-    /// the area.
+    /// Pairs of border edges that meet in the plane, except neighbours. GUSSET_CHART_EXACT:
+    /// crossings by more than 1e-8 of the root of the area. GUSSET_CHART_FOLDED: all. Else 0.
     pub overlaps: u32,
     /// Triangles turned over; 0 unless finish is GUSSET_CHART_FOLDED.
     pub folds: u32,
@@ -97,7 +96,7 @@ pub struct gusset_develop_report {
     /// GUSSET_CUT_... of each cut edge.
     /// @choice gusset_cut_kind
     pub cut_kinds: gusset_indices,
-    /// Number of darts.
+    /// Darts.
     pub darts: u32,
     /// 0.
     pub reserved: u32,

@@ -35,7 +35,7 @@ pub struct gusset_facing_options {
     pub run: gusset_facing_run,
     /// Source of the tolerance.
     pub tolerance_mode: gusset_tolerance_mode,
-    /// Facing vertices are farther than this from the plane of their loop; finite, at least 0.
+    /// As in gusset_stitch_options.
     /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
     pub tolerance: f64,
     /// Centre of a loop.
@@ -57,13 +57,13 @@ pub struct gusset_facing_view {
     /// Signed distance of each vertex from its plane, positive towards the other loop.
     /// @shape counts
     pub distances: [*const f64; 2],
-    /// First index and number of vertices of each run of facing vertices, alternating. A run may
-    /// pass the loop's end.
+    /// First index and length of each run of facing vertices, alternating; a run may pass the
+    /// loop's end.
     /// @shape * 2
     pub runs: [gusset_indices; 2],
     /// The chosen run, as arc_a and arc_b of gusset_stitch_options.
     pub taken: [[u32; 2]; 2],
-    /// Number of vertices of each loop.
+    /// Vertices of each loop.
     pub counts: [usize; 2],
 }
 
@@ -92,9 +92,9 @@ pub(crate) fn points(data: *const f64, count: usize, name: &'static str) -> Resu
 /// @param points_a count_a vertices in order, at least 1.
 /// @param points_b as points_a.
 /// @errors LOOP_TOO_SHORT, TOO_LARGE, NOT_FINITE, OUT_OF_RANGE, PLANES_UNDECIDED (the centres
-///     coincide, or no vertex of a loop exceeds the tolerance, as with coaxial rims)
-/// @complexity O((N + M) log M); memory linear.
-/// @source Nesterenko, algorithm 2, equations 5-7, with a tolerance and runs.
+///     coincide, or no vertex of a loop exceeds the tolerance)
+/// @complexity O((N + M) log M).
+/// @source Nesterenko, algorithm 2, equations 5-7.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_facing_create(
@@ -150,7 +150,7 @@ pub unsafe extern "C" fn gusset_facing_get_view(
 /// @param written receives the count.
 /// @errors OUT_OF_RANGE, BUFFER_TOO_SMALL
 /// @complexity O(n).
-/// @source Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)), without the products.
+/// @source Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_meridians_index(

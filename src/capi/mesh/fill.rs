@@ -24,7 +24,7 @@ use gusset_base::alloc;
 pub type gusset_fill_keep = u32;
 /// All loops are holes.
 pub const GUSSET_KEEP_NONE: gusset_fill_keep = 0;
-/// The longest loop (the first of equals), as the outline of a sheet.
+/// The longest loop (the first of equals).
 pub const GUSSET_KEEP_LONGEST: gusset_fill_keep = 1;
 /// Outer borders of sheets, which a patch would cover: loops whose area vector has a positive dot
 /// product with their component's, and a length of at least half the component's area.
@@ -34,8 +34,7 @@ pub const GUSSET_KEEP_BORDERS: gusset_fill_keep = 2;
 pub type gusset_fill_together = u32;
 /// Each loop gets its own patch.
 pub const GUSSET_TOGETHER_APART: gusset_fill_together = 0;
-/// All filled loops share one patch of genus 0. If they are not coplanar, the limit is about 160
-/// loops.
+/// All filled loops share one patch of genus 0. Unless coplanar, at most about 160 loops.
 pub const GUSSET_TOGETHER_ONE: gusset_fill_together = 1;
 /// Loops share a patch where it weighs less than separate patches.
 /// - Pairs are tried whose boxes, grown by half their diagonals, overlap: about 8 a loop and 256 in
@@ -48,7 +47,7 @@ pub const GUSSET_TOGETHER_CHEAPEST: gusset_fill_together = 2;
 pub type gusset_fill_refinement = u32;
 /// No new vertices.
 pub const GUSSET_REFINE_NONE: gusset_fill_refinement = 0;
-/// New vertices as dense as the vertices around the hole.
+/// New vertices as dense as those around the hole.
 pub const GUSSET_REFINE_RIM_DENSITY: gusset_fill_refinement = 1;
 
 /// Smoothness between faired patches and the old surface.
@@ -73,11 +72,11 @@ pub struct gusset_fill_options {
     pub fairing: gusset_fairing,
     /// Loops that stay open, if all loops are selected.
     pub keep: gusset_fill_keep,
-    /// Patch faces that intersect each other or old faces: AUTO avoids them, REPORT reports them,
-    /// IGNORE does not look for them.
+    /// Patch faces that intersect each other or old faces: AUTO avoids, REPORT reports, IGNORE
+    /// ignores them.
     pub intersections: gusset_intersections,
-    /// 1 fills and turns over nothing, but reports which loops would be filled, by which weight and
-    /// finish. It does not predict failed triangulations or shared patches.
+    /// 1: changes nothing, but reports which loops would be filled, by which weight and finish.
+    /// Failed triangulations and shared patches are not predicted.
     /// @flag
     pub plan_only: u32,
     /// Approximate limit on a patch's new vertices, kept by larger triangles, exceeded at most
@@ -178,12 +177,12 @@ fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u3
 
 /// Fills holes: closes boundary loops by triangles, oriented like the surrounding surface.
 ///
-/// Loops that cannot be filled stay open; gusset_hole gives the reason. The result has the old
-/// vertices, bit for bit, then new ones; the old faces, then new triangles, hole by hole.
+/// Loops that cannot be filled stay open; see gusset_hole_status. The result has the old vertices,
+/// bit for bit, then new ones; the old faces, then new triangles, hole by hole.
 /// - No new edge joins two vertices of an old face: a closed result stays closed if its polygons
 ///   are triangulated.
-/// - With the default weight or GUSSET_WEIGHT_AREA, a planar hole, even with islands, gets no
-///   overlapping triangles if its rims do not cross.
+/// - With the default weight or GUSSET_WEIGHT_AREA, planar holes whose rims do not cross, even with
+///   islands, get no overlapping triangles.
 /// - In a patch of one loop, creases continue: matching pairs are joined, three or more meet in a
 ///   new vertex. Without new vertices, only straight pairs are joined. Other creases end at the
 ///   rim.
@@ -201,7 +200,7 @@ fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u3
 ///     O(n), coarse to fine; planar O(n log n); shared patches O(n log n) for few loops, O(n^3) for
 ///     many. Also O(H log d), O(m^1.5) for m new vertices of a hole, and O(n log n), at worst
 ///     O(n^2), for intersections with n faces near holes.
-/// @source Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
+/// @source Barequet and Sharir 1995; Liepa 2003.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_fill(

@@ -1,4 +1,4 @@
-//! Holes: reports: The outcome for each loop.
+//! Holes: reports: Outcomes of loops.
 
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::input::{Choice, lent};
@@ -11,8 +11,8 @@ use gusset_base::alloc;
 pub type gusset_fill_weight = u32;
 /// Best continuation of the surface: the area if the rim is planar, else the sum of
 /// - 2 sin(t / 2) over all edges, the rim included, for angles t between normals;
-/// - the mean squared distance of the triangles from the missing surface, estimated from the
-///   tangent planes at the rim, in units of 1/140 of its length.
+/// - the mean squared distance of triangles from the missing surface, estimated from tangent planes
+///   at the rim, in units of 1/140 of its length.
 pub const GUSSET_WEIGHT_CONTINUATION: gusset_fill_weight = 0;
 /// Sum of the areas and, over all edges, the rim included, of squared length * (1 - cos(angle
 /// between normals)).
@@ -56,8 +56,8 @@ pub const GUSSET_HOLE_NO_TRIANGULATION: gusset_hole_status = 8;
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_hole {
-    /// First vertex of the loop in rims, with the surface on the left before closed components were
-    /// turned outwards. A given loop that is not simple, free or oriented is as given.
+    /// First vertex of the loop in rims, surface on the left before components are turned outwards;
+    /// as given if not simple, free or oriented.
     pub rim_first: usize,
     /// Number of its vertices.
     pub rim_count: usize,
@@ -78,12 +78,12 @@ pub struct gusset_hole {
     pub area: f64,
     /// Outcome for one loop.
     pub status: gusset_hole_status,
-    /// Weight of the triangulation: as requested, or one with fewer intersections.
+    /// As requested, or one with fewer intersections.
     pub weight: gusset_fill_weight,
-    /// Finish of the patch: as requested, or simpler with fewer intersections.
+    /// As requested, or simpler with fewer intersections.
     pub finish: gusset_patch_finish,
-    /// Number of the patch in the order of faces; equal for loops that share it. UINT32_MAX: no
-    /// patch, always with plan_only.
+    /// Patch number, in the order of faces; equal for loops that share it. UINT32_MAX: none, always
+    /// with plan_only.
     pub patch: u32,
 }
 
@@ -93,14 +93,14 @@ pub struct gusset_hole {
 pub struct gusset_fill_report {
     /// sizeof(gusset_fill_report).
     pub struct_size: usize,
-    /// Each given loop, or all loops as gusset_boundary_get_loop numbers them.
+    /// Given loops, or all as gusset_boundary_get_loop numbers them.
     /// @shape hole_count
     pub holes: *const gusset_hole,
     /// Number of loops.
     pub hole_count: usize,
     /// Vertices of all loops.
     pub rims: gusset_indices,
-    /// Three rim vertices for each new vertex, in the order of the new vertices.
+    /// Three rim vertices for each new vertex.
     /// @shape * 3
     pub parents: gusset_indices,
     /// Weights of the parents, at least 0, sum 1. They give the nearest point on the plain
@@ -108,13 +108,13 @@ pub struct gusset_fill_report {
     /// creases.
     /// @shape parents 3
     pub weights: *const f64,
-    /// Pairs of intersecting faces, ascending, the larger index first: a new face. Every contact
-    /// counts, decided exactly, except at shared or coincident vertices and edges.
+    /// Pairs of intersecting faces, ascending, as in gusset_stitch_report: first the larger index,
+    /// a new face.
     /// @shape * 2
     pub intersections: gusset_indices,
     /// Faces that GUSSET_OUTWARD_CLOSED reversed, ascending. Each keeps its first corner.
     pub turned_outwards: gusset_indices,
-    /// 1 if intersections were searched for.
+    /// 1 if searched for.
     /// @flag
     pub intersections_known: u32,
     /// 0.

@@ -34,7 +34,7 @@ use gusset_base::alloc;
 ///     at it, or a loop named before), TOO_LARGE
 /// @complexity O(H log d + V log V) for V vertices on loops, gusset_stitch for each strip,
 ///     gusset_fill for each hole, a pass over all faces for each strip faired or tested for
-///     intersections. Memory linear.
+///     intersections.
 /// @source Nesterenko for a single gap.
 #[unsafe(no_mangle)]
 #[must_use]

@@ -28,13 +28,13 @@ pub const GUSSET_WELDING_EDGE_TO_EDGE: gusset_welding = 2;
 
 /// Widest gap to close.
 pub type gusset_gap = u32;
-/// Limits by size. The width of a gap is the larger mean distance from either loop to the nearest
-/// points of the other.
+/// The width of a gap is the larger mean distance from either loop to the nearest points of the
+/// other.
 /// - Whole loops: a fifth of the larger component's extent along an axis, or the smaller mean
 ///   radius (mean distance from the loop's centre) if more. The only two loops, on two pieces, are
 ///   always joined.
 /// - Runs of loops: half the smaller mean radius, and at most 4 mean edges of the coarser loop.
-/// - Slits (see gusset_joint): half the mean radius, and at most one mean edge.
+/// - Slits: half the mean radius, and at most one mean edge.
 /// - Trimmed pieces: 2.5 mean edges of the coarsest, or 4 if a part would be left alone.
 pub const GUSSET_GAP_AUTO: gusset_gap = 0;
 
@@ -92,8 +92,8 @@ pub struct gusset_join_options {
     pub pairs: *const gusset_loop_pair,
     /// Number of pairs.
     pub pair_count: usize,
-    /// Pairs not to join, or NULL; pairs takes precedence. A vertex that is on no loop after
-    /// welding excludes nothing.
+    /// Pairs not to join, or NULL; pairs takes precedence. Vertices on no loop after welding
+    /// exclude nothing.
     /// @shape excluded_count
     pub excluded: *const gusset_loop_pair,
     /// Number of excluded pairs.

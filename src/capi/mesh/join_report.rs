@@ -66,7 +66,7 @@ pub struct gusset_piece_map {
     pub faces: gusset_indices,
 }
 
-/// Two loops, or runs of loops, that face each other across a gap. Indices are in the result.
+/// Two loops, or runs of loops, that face each other. Indices are in the result.
 ///
 /// If borders coincide in part, sewing leaves a slit: a loop along the rest of both. In a slit
 /// joined with itself, both sides are on it, one with both ends; whole is 0, and the strip lacks
@@ -90,7 +90,7 @@ pub struct gusset_joint {
     /// Pairs of intersecting faces, as in gusset_stitch_report.
     /// @shape * 2
     pub intersections: gusset_indices,
-    /// 1 if intersections were searched for.
+    /// 1 if searched for.
     /// @flag
     pub intersections_known: u32,
     /// Outcome of a joint.
@@ -98,11 +98,11 @@ pub struct gusset_joint {
     /// 1 if both sides are whole loops.
     /// @flag
     pub whole: u32,
-    /// Surface that was made; a strip may replace a blend.
+    /// Surface made; a strip may replace a blend.
     pub finish: gusset_finish,
 }
 
-/// Boundary loop of the sewn pieces without a strip, even if filled later; see holes.
+/// Boundary loop of the sewn pieces without a strip, even if filled later.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_left_loop {

@@ -1,5 +1,5 @@
 //! Meshes: Polygon meshes in memory of the caller or of a result. An edge with one face is a
-//! boundary edge, with three or more a non-manifold edge.
+//! boundary edge, with three or more a non-manifold edge. Memory is linear unless stated.
 
 pub mod result;
 pub mod join;
@@ -39,11 +39,11 @@ pub type gusset_scalar = u32;
 pub const GUSSET_F32: gusset_scalar = 1;
 /// 64-bit floats.
 pub const GUSSET_F64: gusset_scalar = 2;
-/// The type of indices.
+/// Type of indices.
 pub type gusset_index = u32;
 /// 32-bit unsigned integers.
 pub const GUSSET_U32: gusset_index = 0;
-/// Reserved; returns GUSSET_ERROR_UNKNOWN_VALUE.
+/// Reserved: GUSSET_ERROR_UNKNOWN_VALUE.
 pub const GUSSET_U64: gusset_index = 1;
 
 /// Array of indices.
@@ -70,7 +70,7 @@ pub struct gusset_indices {
 pub struct gusset_mesh_view {
     /// sizeof(gusset_mesh_view).
     pub struct_size: usize,
-    /// x, y, z at the start of each stride.
+    /// x, y, z at each stride.
     pub positions: *const c_void,
     /// Bytes from one position to the next; 0 if packed.
     pub position_stride: usize,
@@ -85,7 +85,7 @@ pub struct gusset_mesh_view {
     pub face_count: usize,
     /// GUSSET_F32 or GUSSET_F64; must be set, as 0 is invalid.
     pub scalar: gusset_scalar,
-    /// The type of indices.
+    /// Type of indices.
     pub index: gusset_index,
     /// Corners of every face, or 0 with face_offsets.
     pub face_size: u32,

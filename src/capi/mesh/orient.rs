@@ -60,7 +60,7 @@ versioned! { gusset_orient_options: 16 reserved, gusset_orient_report: 72 }
 /// keeps its first corner. Vertices and the order of faces do not change.
 ///
 /// @errors as gusset_mesh_view
-/// @complexity O(H log d); linear memory.
+/// @complexity O(H log d).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_orient(

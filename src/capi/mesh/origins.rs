@@ -1,4 +1,4 @@
-//! Origins: Gives the source elements of each vertex, corner and face of a result.
+//! Origins: Sources of elements.
 
 use crate::attributes::{Domain, Origins};
 use crate::capi::context::lend;
@@ -25,7 +25,7 @@ c_enum! {
     }
 }
 
-/// Source elements of each vertex, corner and face of a result, which may be destroyed.
+/// Sources of a result's vertices, corners and faces.
 ///
 /// - An old element has itself, a merged vertex all its vertices in equal parts.
 /// - A new vertex has the rim vertices around it, by its place on plain triangles between them,
@@ -46,11 +46,11 @@ pub struct gusset_origins_view {
     pub offsets: gusset_indices,
     /// Sources, numbered through all inputs.
     pub sources: gusset_indices,
-    /// Weight of each source, above 0; sum 1 for each element.
+    /// Weight of each source, above 0, sum 1.
     /// @shape sources
     pub weights: *const f64,
-    /// Input i has the sources starts[i] to starts[i + 1] - 1. Inputs are the meshes, pieces or
-    /// polylines in order, or the net or sheet.
+    /// Input i has the sources starts[i] to starts[i + 1] - 1. Inputs are the meshes, pieces,
+    /// polylines, net or sheet in order.
     pub starts: gusset_indices,
 }
 
@@ -62,7 +62,7 @@ pub unsafe extern "C" fn gusset_origins_destroy(origins: *mut gusset_origins) {
     handle::destroy(origins);
 }
 
-/// Lends the origins of the vertices, corners or faces of a result.
+/// Lends the origins of one domain.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_origins_get_view(

@@ -42,7 +42,7 @@ pub struct gusset_sew_report {
 
 versioned! { gusset_sew_report: 104 }
 
-/// Sews coincident borders, also where their vertices do not match.
+/// Sews coincident borders.
 /// - Vertices are welded as by gusset_weld.
 /// - Where a vertex of one border then lies inside a boundary edge of another (a T-junction), the
 ///   edge is split if exactly two pieces coincide. Triangles are cut into triangles, none turned
@@ -57,8 +57,7 @@ versioned! { gusset_sew_report: 104 }
 /// @param options as for gusset_weld. GUSSET_WELD_ALL welds all vertices before the splits, borders
 ///     afterwards.
 /// @errors as gusset_weld, TOO_LARGE (the result)
-/// @complexity O(H log H), if valences are small and few vertices lie inside each edge; linear
-///     memory.
+/// @complexity O(H log H), if valences are small and few vertices lie inside each edge.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sew(

@@ -54,22 +54,22 @@ pub struct gusset_stitch_report {
     /// 1 for a closed band, 0 for a strip between arcs.
     /// @flag
     pub closed: u32,
-    /// 1 if the component of rim 1 was reversed to agree with rim 0; its faces keep their first
+    /// 1 if the component of rim 1 was reversed to agree with rim 0; faces keep their first
     /// corners.
     /// @flag
     pub turned: u32,
-    /// 1 if intersections were searched for.
+    /// 1 if searched for.
     /// @flag
     pub intersections_known: u32,
-    /// Pairs of intersecting faces: first a strip face, the larger one if both are. Shared or
-    /// coincident vertices and edges do not count; any other contact does. The test is exact. Quads
-    /// are split by their shorter diagonals, other polygons into fans from their first corners. A
+    /// Pairs of intersecting faces: first a strip face, the larger one if both are. Any contact
+    /// counts, by an exact test, except at shared or coincident vertices and edges. Quads are split
+    /// by their shorter diagonals, other polygons into fans from their first corners. A
     /// self-intersecting polygon is paired with itself.
     /// @shape * 2
     pub intersections: gusset_indices,
-    /// Times that the fairing of rows, or of the kept blend, was moved back.
+    /// Times that fairing of rows, or of the kept blend, was moved back.
     pub back_off_count: u32,
-    /// Surface that was made; a strip may replace a blend.
+    /// Surface made; a strip may replace a blend.
     pub finish: gusset_finish,
     /// Faces that GUSSET_OUTWARD_CLOSED reversed, ascending. Each keeps its first corner.
     pub turned_outwards: gusset_indices,
@@ -82,7 +82,7 @@ versioned! { gusset_stitch_report: 192 }
 ///
 /// The result has the vertices of A, B, then new ones; all faces of A, B, then the strip. Positions
 /// have the scalar type of A; old ones keep their bits. An arc of one vertex gets a fan, which
-/// touches its piece there only. Two arcs of one vertex each get one meridian and no face.
+/// touches its piece there only; two such arcs get one meridian and no face.
 ///
 /// @param loop_a vertices of each loop in order, in either direction, cyclically joined by boundary
 ///     edges. If both loops are NULL, the two nearest are joined; if one, the nearest to the other.
@@ -96,12 +96,10 @@ versioned! { gusset_stitch_report: 192 }
 /// @complexity O(H log d). Meridians O(N M), above 2^21 pairs of vertices and for simple rules O((N
 ///     + M) log M). Fairing and intersections O(n log n), and a test for each pair of overlapping
 ///     triangle boxes. Blend of n vertices O(n^1.5), nearly linear in narrow gaps. Choice of loops:
-///     a box test a pair. Memory linear. GUSSET_SEARCH_EXACT adds 1 byte for each of up to 2^26
-///     pairs, and 8 M bytes for each 2^26 pairs begun. GUSSET_MERIDIANS_CONTINUATION and _SMOOTH
-///     take 2 bytes a pair, 8 if the best strip would repeat an edge. Several threads and two
-///     starts double that.
-/// @source Nesterenko, algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their
-///     start: N + 1 and M + 1 points.
+///     a box test a pair. GUSSET_SEARCH_EXACT adds 1 byte for each of up to 2^26 pairs, and 8 M
+///     bytes for each 2^26 pairs begun. GUSSET_MERIDIANS_CONTINUATION and _SMOOTH take 2 bytes a
+///     pair, 8 if the best strip would repeat an edge. Several threads and two starts double that.
+/// @source Nesterenko, algorithm 2 and the intermediate mesh (H, P).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stitch(
@@ -131,7 +129,7 @@ pub unsafe extern "C" fn gusset_stitch(
 
 /// Lends the strip alone: rim vertices, new vertices, new faces.
 ///
-/// @errors as gusset_result_get_stitch
+/// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_strip_mesh(

@@ -53,16 +53,16 @@ pub const GUSSET_START_CLOSEST: gusset_strip_start = 1;
 /// The first points; gusset_strip only.
 pub const GUSSET_START_GIVEN: gusset_strip_start = 2;
 
-/// The positions of new vertices.
+/// Positions of new vertices.
 pub type gusset_fairing = u32;
 /// New vertices divide the meridians of a strip evenly, or lie on the first triangulation of a
 /// patch.
 pub const GUSSET_FAIRING_NONE: gusset_fairing = 0;
-/// The new surface bends like a thin plate and meets the old one smoothly. The sum of squared
-/// Laplacians over new vertices and rims is least. Rims and ends of an open strip stay fixed.
+/// The new surface bends like a thin plate and meets the old one smoothly: least sum of squared
+/// Laplacians over new vertices and rims. Rims and ends of an open strip stay fixed.
 pub const GUSSET_FAIRING_THIN_PLATE: gusset_fairing = 1;
 
-/// The treatment of faces that intersect each other.
+/// Treatment of intersecting faces.
 pub type gusset_intersections = u32;
 /// Finds intersections of the strip, and reduces them:
 /// - A triangle strip without rows by GUSSET_MERIDIANS_CONTINUATION is rerouted; the best strip
@@ -81,8 +81,7 @@ pub const GUSSET_INTERSECTIONS_REPORT: gusset_intersections = 2;
 pub type gusset_orientation = u32;
 /// If the component of rim B is oriented against rim A, it is reversed, whichever is inside out.
 /// Within one component nothing is reversed. Whole rims are compared as curves. If both face one
-/// way, as in a U-bend, the sides of their surfaces decide. An inconclusive comparison reverses
-/// nothing.
+/// way, the sides of their surfaces decide. An inconclusive comparison reverses nothing.
 pub const GUSSET_ORIENTATION_FIX: gusset_orientation = 0;
 /// Opposite orientations return GUSSET_ERROR_ORIENTATION_CONFLICT.
 pub const GUSSET_ORIENTATION_REFUSE: gusset_orientation = 1;
@@ -112,7 +111,7 @@ pub const GUSSET_RUN_LONGEST: gusset_facing_run = 1;
 pub type gusset_centres = u32;
 /// Mean of the vertices.
 pub const GUSSET_CENTRES_VERTICES: gusset_centres = 0;
-/// Mean along the curve, independent of the vertex spacing.
+/// Mean along the curve, independent of vertex spacing.
 pub const GUSSET_CENTRES_LENGTH: gusset_centres = 1;
 
 /// Number of interior rows.
@@ -155,7 +154,7 @@ pub const GUSSET_TOLERANCE_GIVEN: gusset_tolerance_mode = 1;
 /// Uses tolerance 0; welding then requires equal positions.
 pub const GUSSET_TOLERANCE_EXACT: gusset_tolerance_mode = 2;
 
-/// The side that closed components of a result face.
+/// Side that closed components face.
 pub type gusset_outward = u32;
 /// GUSSET_OUTWARD_CLOSED in gusset_join, else GUSSET_OUTWARD_KEEP.
 pub const GUSSET_OUTWARD_AUTO: gusset_outward = 0;
@@ -210,11 +209,11 @@ pub struct gusset_stitch_options {
     pub start: gusset_strip_start,
     /// Positions of interior rows; ignored without rows.
     pub fairing: gusset_fairing,
-    /// The treatment of faces that intersect each other.
+    /// Treatment of intersecting faces.
     pub intersections: gusset_intersections,
     /// Centre of a loop.
     pub centres: gusset_centres,
-    /// The side that closed components of a result face.
+    /// Side that closed components face.
     pub outward: gusset_outward,
     /// Surface between the rims.
     pub finish: gusset_finish,

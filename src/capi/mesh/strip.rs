@@ -85,7 +85,7 @@ impl gusset_strip_options {
     }
 }
 
-/// Builds a strip between two polylines, as gusset_stitch does between rims.
+/// Builds a strip, as gusset_stitch does between rims.
 ///
 /// The mesh has the points of A, of B, then new ones row by row. Faces run A_i+1, A_i, B_j: against
 /// A, along B. If both sides advance at once, the shorter diagonal splits a quad into triangles.

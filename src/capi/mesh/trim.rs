@@ -101,12 +101,12 @@ impl gusset_trim_options {
 /// split. Parts thinner than two faces, small islands, faces attached by one vertex, and faces that
 /// intersect an earlier piece are removed.
 ///
-/// @param pieces as in gusset_alignment_create, in one coordinate system.
+/// @param pieces as for gusset_join, in one coordinate system.
 /// @errors as gusset_mesh_view, EMPTY_MESH, OUT_OF_RANGE (max_distance, max_angle), NOT_FINITE (a
 ///     viewpoint), COUNT_DIFFERS (fewer viewpoints than pieces), TOO_LARGE
 /// @complexity O(V log F) for V vertices of a piece and F faces of each near piece, up to quadratic
-///     in the faces at one place. Memory linear.
-/// @source Based on G. Turk and M. Levoy, Zippered polygon meshes from range images (1994).
+///     in the faces at one place.
+/// @source After Turk and Levoy 1994.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_trim_create(

@@ -40,11 +40,10 @@ pub struct gusset_weld_options {
     /// Vertices that are welded.
     pub vertices: gusset_weld_vertices,
     /// Distance at which vertices coincide.
-    /// - GUSSET_TOLERANCE_GIVEN: at most tolerance.
     /// - GUSSET_TOLERANCE_EXACT: 0; -0 equals 0.
     /// - GUSSET_TOLERANCE_AUTO: at most 2^-19 (32-bit) or 2^-48 (64-bit) of the largest coordinate,
     ///   or, if more, twice the last decimal place that positions show. At each vertex at most a
-    ///   quarter of the shortest edge, so that no edge collapses.
+    ///   quarter of the shortest edge.
     /// - Last decimal place: let D be the largest power of ten up to the longest side of the
     ///   vertices' box. The place is the largest of 1e-5 D, 1e-6 D, ... that divides a third of
     ///   certain numbers: coordinates of the largest order of magnitude, or differences between
@@ -70,8 +69,7 @@ pub struct gusset_weld_report {
     pub vertex_map: gusset_indices,
     /// Index of each face in the result; UINT32_MAX if dropped.
     pub face_map: gusset_indices,
-    /// Half-edges of boundary edges that coincide with another edge but are not sewn: three or more
-    /// coincide, or sewing would collapse a face or make a non-manifold edge.
+    /// Half-edges of boundary edges that coincide with another edge but are not sewn.
     pub left_edges: gusset_indices,
     /// Vertices that coincide with another but are not merged.
     pub left_vertices: gusset_indices,
@@ -107,7 +105,7 @@ impl gusset_weld_options {
 ///   they become one.
 /// - Edges stay apart, and are listed, where three or more coincide, or sewing would collapse a
 ///   face or make a non-manifold edge: a manifold stays a manifold.
-/// - Coincident vertices without an edge to sew stay apart, as where two holes touch.
+/// - Coincident vertices without an edge to sew stay apart.
 /// - GUSSET_WELD_ALL merges all coincident vertices.
 /// - In ascending order, each unclaimed vertex claims the unclaimed vertices within the tolerance,
 ///   nearest first, without chains.
@@ -115,9 +113,8 @@ impl gusset_weld_options {
 ///   The smallest of merged vertices remains, bit for bit. A result without faces is not a valid
 ///   input.
 ///
-/// @errors as gusset_mesh_view, OUT_OF_RANGE (the tolerance)
-/// @complexity O(H log H), if valences are small and few corners of one face coincide; linear
-///     memory.
+/// @errors as gusset_mesh_view, OUT_OF_RANGE (tolerance)
+/// @complexity O(H log H), if valences are small and few corners of one face coincide.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_weld(

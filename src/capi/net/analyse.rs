@@ -101,7 +101,6 @@ versioned! { gusset_net_analysis_options: 48 }
 
 /// Finds what a deformation glues, tears, folds and stretches, without deforming the net.
 ///
-/// @param net the net before the deformation.
 /// @errors OUT_OF_RANGE, SIDES_DIFFER (another size), CROSSING_CELL (new gluing), as
 ///     gusset_net_deform
 /// @complexity O(nodes), 24 bytes a node. Fields: O(nodes x fields), a copy of the net and 8 bytes

@@ -48,7 +48,7 @@ handle! { gusset_net_groups }
 
 /// Finds the points of several glued nodes.
 ///
-/// @complexity O(rows + columns) if only sides are glued, else O(nodes), plus a sort of the glued
+/// @complexity O(rows + columns) if only sides are glued, else O(nodes), plus a sort of glued
 ///     nodes.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -132,10 +132,10 @@ pub unsafe extern "C" fn gusset_net_classify(
     })
 }
 
-/// Counts the local gluings of a net by type.
+/// Counts the local gluings by type.
 ///
-/// @param nodes receives 18 counts, as for cyclic 0; may be NULL.
-/// @param cells receives 18 counts; may be NULL.
+/// @param nodes receives 18 counts, as for cyclic 0, or NULL.
+/// @param cells receives 18 counts, or NULL.
 /// @complexity O(nodes); 4 bytes a node.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -170,7 +170,7 @@ pub struct gusset_gluing_occurrence {
     pub place: gusset_gluing_place,
     /// Node or cell.
     pub element: u32,
-    /// Local gluing (Deryagin, Fig. 4).
+    /// Local gluing of Deryagin's figure 4.
     pub kind: gusset_gluing_type,
     /// At a node: nodes glued to it. At a cell: glued links, at most 3; 1 for a diagonal.
     pub a: u32,
@@ -181,7 +181,7 @@ pub struct gusset_gluing_occurrence {
     pub node_order: u32,
     /// United links; 1 if none.
     pub link_order: u32,
-    /// Nodes of the point; exceeds node_order where gluings meet, as at a pole.
+    /// Nodes of the point; exceeds node_order where gluings meet.
     pub class_size: u32,
 }
 
@@ -202,13 +202,13 @@ impl From<&Occurrence> for gusset_gluing_occurrence {
     }
 }
 
-/// Writes all local gluings of a net: at its nodes in order, then at its cells.
+/// Writes all local gluings: of nodes in order, then of cells.
 ///
 /// @param cyclic as for gusset_net_classify.
 /// @param found receives the gluings.
 /// @param written receives the count.
 /// @errors BUFFER_TOO_SMALL
-/// @complexity O(nodes); 4 bytes a node, and memory for the result.
+/// @complexity O(nodes); 4 bytes a node, and the result.
 /// @source Deryagin, Fig. 4.
 #[unsafe(no_mangle)]
 #[must_use]

@@ -27,7 +27,7 @@ pub const GUSSET_NET_ORIENTED: gusset_net_flags = 4;
 /// Consistent after reversal of some faces.
 pub const GUSSET_NET_ORIENTABLE: gusset_net_flags = 8;
 
-/// Quotient complex: the surface of a net with glued nodes merged.
+/// Quotient complex: the surface of a net.
 pub struct gusset_net_complex(Complex);
 
 handle! { gusset_net_complex }
@@ -109,7 +109,7 @@ pub unsafe extern "C" fn gusset_net_complex_create(
     })
 }
 
-/// Lends the counts and defects of a complex.
+/// Lends the counts and defects.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_complex_get_view(

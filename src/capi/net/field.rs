@@ -1,4 +1,4 @@
-//! Fields: Deforms and projects nets by chains of fields, constant or keyed in time.
+//! Fields: Deforms and projects nets by chains of fields.
 
 use crate::capi::context::{guard_change, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
@@ -99,8 +99,8 @@ pub struct gusset_field {
     pub strength: f64,
     /// Finite numbers, as the kind says; the rest is not read.
     pub values: [f64; 16],
-    /// Pairs of finite, increasing time and strength, which is constant before the first key and
-    /// after the last. NULL: constant.
+    /// Finite pairs of time and strength, by increasing time. Strength is constant before the first
+    /// key and after the last. NULL: constant.
     pub keys: *const f64,
     /// Number of pairs.
     pub key_count: usize,
@@ -200,7 +200,6 @@ impl gusset_field {
 /// - Equal bits of glued nodes stay equal. Missing nodes stay missing.
 /// - If every field is defined everywhere, a node that overflows becomes missing.
 ///
-/// @param fields the chain.
 /// @param time time of keys. For animation, deform a copy of the net at rest.
 /// @errors OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED (node where a partly undefined
 ///     chain is undefined or overflows)
@@ -224,7 +223,7 @@ pub unsafe extern "C" fn gusset_net_deform(
 
 /// Moves every node along its normal. Glued nodes stay together; nodes without a normal stay.
 ///
-/// @param distance a finite length of either sign.
+/// @param distance finite, of either sign.
 /// @errors OUT_OF_RANGE (distance), FIELD_UNDEFINED (first node to overflow)
 /// @complexity O(nodes); memory of the size of the coordinates.
 #[unsafe(no_mangle)]

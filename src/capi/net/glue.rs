@@ -47,7 +47,7 @@ pub struct gusset_gluing {
 
 const _: () = assert!(size_of::<gusset_gluing>() == 56);
 
-/// Local gluing (Deryagin, Fig. 4).
+/// Local gluing of Deryagin's figure 4.
 pub type gusset_gluing_type = u32;
 /// Nothing is glued.
 pub const GUSSET_TYPE_NONE: gusset_gluing_type = 0xffff_ffff;
@@ -157,9 +157,9 @@ pub struct gusset_glue_options {
 
 versioned! { gusset_glue_options: 64 reserved }
 
-/// Glues nodes of a net, and optionally moves glued nodes together.
+/// Glues nodes, and optionally moves glued nodes together.
 ///
-/// @param moved receives the count of changed nodes; may be NULL.
+/// @param moved receives the count of changed nodes, or NULL.
 /// @errors OUT_OF_RANGE (tolerance, a mask above 15), NO_SUCH_ELEMENT (a link, node or cell),
 ///     BAD_SEAM (by index of the gluing), CROSSING_CELL, TOO_LARGE
 /// @complexity O(nodes + glued pairs); detect sorts the side nodes. snap alone: O(rows + columns)
@@ -191,13 +191,12 @@ pub unsafe extern "C" fn gusset_net_glue(
 ///
 /// Nodes that other gluings connect stay one point. Pairs not glued are ignored.
 ///
-/// @param gluings pairs to unglue.
 /// @param separation gap between the pieces of a point, or 0. Each piece moves by half of it
 ///     towards the mean of its neighbours, preferably unsplit ones. A piece without neighbours, or
 ///     at their mean, stays.
-/// @param moved receives the count of moved pieces; may be NULL.
+/// @param moved receives the count of moved pieces, or NULL.
 /// @errors as gusset_net_glue, OUT_OF_RANGE (separation)
-/// @complexity O(nodes), and a sort of the pairs.
+/// @complexity O(nodes), plus a sort of pairs.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_unglue(

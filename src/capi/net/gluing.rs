@@ -58,7 +58,7 @@ pub const GUSSET_SIDES_POLE_RIGHT: gusset_sides = 32;
 pub const GUSSET_SIDES_SHEET: gusset_sides = 0;
 /// Rows are closed.
 pub const GUSSET_SIDES_TUBE: gusset_sides = 1;
-/// Rows are closed, the first and last are poles: spheres, closed cylinders and cones.
+/// Rows are closed, the first and last are poles.
 pub const GUSSET_SIDES_TWO_POLES: gusset_sides = 13;
 /// All four sides are one point.
 pub const GUSSET_SIDES_ONE_POLE: gusset_sides = 60;
@@ -167,7 +167,7 @@ pub(crate) fn topology(shape: Shape, gluing: *const gusset_net_gluing, job: &Job
         .with_reversed(flag(gluing.reversed, "reversed")?))
 }
 
-/// Replaces the gluing of a net; positions stay.
+/// Replaces the gluing; positions stay.
 ///
 /// @param gluing NULL: nothing is glued.
 /// @errors as gusset_net_create

@@ -169,7 +169,7 @@ pub unsafe extern "C" fn gusset_net_concatenate_create(
     })
 }
 
-/// Splits a net at a bridge that runs from side to side, and removes the bridge.
+/// Splits a net at a bridge from side to side, and removes it.
 ///
 /// Unless changed since, both nets are as before joining, bit for bit; copies that equalised sizes
 /// are removed. Split the last bridge first. Gluing across the bridge is lost.
@@ -201,7 +201,7 @@ pub unsafe extern "C" fn gusset_net_split_create(
     })
 }
 
-/// Describes a bridge of a net.
+/// Describes a bridge.
 ///
 /// @param index below bridge_count of gusset_net_gluing_report.
 /// @errors NO_SUCH_ELEMENT

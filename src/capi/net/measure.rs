@@ -49,7 +49,7 @@ pub struct gusset_net_measure_report {
     pub inertia: [f64; 9],
 }
 
-/// Planarity of the cells of a net.
+/// Planarity of cells.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_planarity_report {
@@ -111,7 +111,7 @@ pub unsafe extern "C" fn gusset_net_measure(
     })
 }
 
-/// Measures the planarity of the cells of a net.
+/// Measures the planarity of cells.
 ///
 /// A cell's deviation is the distance of its corners from their mean plane, divided by the longer
 /// diagonal; 0 for triangles and less, NaN for absent cells.

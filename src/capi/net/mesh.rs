@@ -197,7 +197,7 @@ pub unsafe extern "C" fn gusset_net_to_mesh(
     })
 }
 
-/// Lends the maps between a net and its mesh.
+/// Lends the maps.
 ///
 /// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]
@@ -257,7 +257,6 @@ where
 ///
 /// Faces are counter-clockwise from above, for any sign of spacing.
 ///
-/// @param heights the grid.
 /// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, OUT_OF_RANGE (spacing, origin)
 /// @complexity O(nodes).
 #[unsafe(no_mangle)]
@@ -289,7 +288,7 @@ pub unsafe extern "C" fn gusset_net_from_heights_create(
 /// - Tubes and tori with irregular diagonals, and poles of open sheets with fewer than six
 ///   triangles, may be refused.
 ///
-/// @param grid receives the correspondence; may be NULL.
+/// @param grid receives the correspondence, or NULL.
 /// @errors NO_GRID (a face that violates the grid)
 /// @complexity O(H log d). Closed triangle meshes without distinct poles take several attempts.
 #[unsafe(no_mangle)]

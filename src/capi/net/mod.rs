@@ -42,8 +42,7 @@ pub(crate) use net_handle::{edit, read};
 /// Coordinate matrices, possibly interleaved or column-major. Number (i, j) of each begins i *
 /// row_stride + j * column_stride bytes after the first.
 ///
-/// Normals follow the cross product of increasing column and increasing row, opposite to a sheet of
-/// surface.h.
+/// Normals follow the cross product of increasing column and increasing row.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_view {
@@ -193,7 +192,6 @@ fn put<T: Real>(to: &mut [u8], value: impl Real) {
 /// Borrowed matrices are aligned, without gaps in rows; row_stride is a multiple of the scalar's
 /// size. They do not overlap, and stay valid until the net is destroyed.
 ///
-/// @param view the coordinates.
 /// @param gluing NULL: nothing is glued.
 /// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, OVERLAP, OUT_OF_RANGE (a byte of the matrix),
 ///     BAD_SEAM, CROSSING_CELL
@@ -270,14 +268,14 @@ fn lend(net: &Net<'_>) -> gusset_net_view {
     })
 }
 
-/// Lends the coordinates of a net for reading.
+/// Lends the coordinates for reading.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_get_view(net: *const gusset_net, view: *mut gusset_net_view) -> gusset_status {
     lend!(net, view, |net| lend(net.net()))
 }
 
-/// Lends the coordinates of a net for writing, until the next call with this net.
+/// Lends the coordinates for writing, until the next call with this net.
 ///
 /// The caller keeps glued nodes equal; see snap of gusset_glue_options. Shared memory is copied
 /// first.
@@ -306,7 +304,7 @@ pub unsafe extern "C" fn gusset_net_edit(
     })
 }
 
-/// Copies the coordinates of a net to the caller's matrices.
+/// Copies the coordinates to the caller's matrices.
 ///
 /// @param view matrices of the net's size, in any layout and scalar type. Conversion to float
 ///     rounds. Bytes in gaps stay.

@@ -38,7 +38,7 @@ fn check_overlap(net: &Net<'_>, buffers: [*mut c_void; 3], bytes: usize) -> Resu
     if good || is_null { Ok(()) } else { Err(Failure::new(GUSSET_ERROR_OVERLAP, "x, y, z and the net overlap")) }
 }
 
-/// Computes the unit normal of every node of a net.
+/// Computes the unit normal of every node.
 ///
 /// Normals follow gusset_net_view; reversed nets have opposite ones. All cells at a glued point
 /// give its nodes one normal, equal in bits. Absent cells do not count.

@@ -60,7 +60,7 @@ pub struct gusset_planarise_report {
 
 versioned! { gusset_planarise_options: 40, gusset_planarise_report: 72 }
 
-/// Moves nodes until all cells are planar, with locally least squared displacement.
+/// Makes all cells planar, with locally least squared displacement.
 ///
 /// Glued nodes stay one point. Absent cells and cells of fewer than four corners do not count.
 ///

@@ -126,7 +126,6 @@ impl gusset_net_primitive {
 ///
 /// Glued nodes have equal bits. Closed surfaces have outward normals.
 ///
-/// @param primitive the shape.
 /// @errors OUT_OF_RANGE (a measure, too few elements), TOO_LARGE
 /// @complexity O(nodes); 12 or 24 bytes a node, and 1/4 byte for boxes.
 /// @source Deryagin, "Closures of nets".

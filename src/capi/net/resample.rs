@@ -56,7 +56,7 @@ pub unsafe extern "C" fn gusset_net_resample_create(
 ///     replace their columns; likewise for rows.
 /// @param rows receives the kept rows, with room for all rows of net; may be NULL.
 /// @param columns likewise for columns.
-/// @param deviation receives the largest deviation; may be NULL.
+/// @param deviation receives the largest deviation, or NULL.
 /// @errors OUT_OF_RANGE, GLUED_INSIDE
 /// @complexity About O(nodes x log rows).
 #[unsafe(no_mangle)]

@@ -96,7 +96,6 @@ fn chain(operations: *const gusset_operation, count: usize) -> Result<Affine, Fa
 ///   change.
 /// - A mirroring chain changes the net's reversed flag, so faces still look outwards.
 ///
-/// @param operations the maps.
 /// @param count may be 0.
 /// @errors OUT_OF_RANGE (a number not finite, an axis of length 0, overflow of the product),
 ///     FIELD_UNDEFINED (first node to overflow)

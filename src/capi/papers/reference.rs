@@ -70,8 +70,8 @@ pub struct gusset_reference_task {
     pub by_rings: u32,
     /// 1: visits nodes row by row, as Leus does; 0: distant nodes first.
     pub by_rows: u32,
-    /// Rows and columns of cells at an edge that an excluded block covers. 0: removes them, for a
-    /// smaller surface; 1: keeps them.
+    /// Rows and columns of cells at an edge that an excluded block covers. 0: removes them; 1:
+    /// keeps them.
     pub keep_lines: u32,
     /// CURVE.
     pub curve: *const gusset_curve,

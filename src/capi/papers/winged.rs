@@ -189,7 +189,6 @@ pub unsafe extern "C" fn gusset_winged_get_view(
 /// a side without a face lacks wings. Marks are not read. Edges and edge_of_face of
 /// gusset_winged_create give back its faces corner for corner.
 ///
-/// @param edges the records.
 /// @param edge_count 0: no faces.
 /// @param vertex_count exceeds every vertex of an edge.
 /// @param first_edges for each face, the edge where it begins; from M to N if both sides are of the

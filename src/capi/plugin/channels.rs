@@ -25,7 +25,7 @@ pub const GUSSET_PLUGIN_VALUE_U16: u32 = 4;
 /// 32-bit unsigned integers.
 pub const GUSSET_PLUGIN_VALUE_U32: u32 = 5;
 
-/// Weighted mean, as for colours; integers are rounded.
+/// Weighted mean; integers are rounded.
 pub const GUSSET_PLUGIN_RULE_LINEAR: u32 = 0;
 /// Directions of three floats: mean on the sphere, of length 1. Directions of faces that were
 /// turned over are negated.
@@ -33,7 +33,7 @@ pub const GUSSET_PLUGIN_RULE_NORMAL: u32 = 1;
 /// Skin weights: weighted mean; the max_influences largest are kept, scaled to sum 1 or an integer
 /// type's largest value.
 pub const GUSSET_PLUGIN_RULE_SKIN_WEIGHTS: u32 = 2;
-/// Value of the source with the largest weight, as for materials and ids.
+/// Value of the source with the largest weight.
 pub const GUSSET_PLUGIN_RULE_NEAREST: u32 = 3;
 /// Texture coordinates. Corners of new faces get the mean if both sides are on one chart; else each
 /// side's chart continues to a seam in the middle.
@@ -109,7 +109,7 @@ pub struct gusset_plugin_origins {
     pub offsets: *const u32,
     /// Elements, numbered through all inputs.
     pub sources: *const u32,
-    /// Weight of each source, above 0; sum 1 for each element.
+    /// Weight of each source, above 0, sum 1.
     pub weights: *const f64,
     /// Number of inputs.
     pub input_count: usize,

@@ -67,14 +67,14 @@ pub struct gusset_plugin_mesh {
     pub positions: *const c_void,
     /// Stride of positions.
     pub position_stride: usize,
-    /// Number of vertices, 1 to 2^32 - 2.
+    /// 1 to 2^32 - 2.
     pub vertex_count: usize,
     /// face_count + 1 entries from 0: face f has corners face_offsets[f] to face_offsets[f + 1] -
     /// 1. NULL with face_size, not in outputs.
     pub face_offsets: *const c_void,
     /// Vertex of each corner, face by face.
     pub face_corners: *const c_void,
-    /// Number of faces, at least 1 in an input.
+    /// At least 1 in an input.
     pub face_count: usize,
     /// GUSSET_PLUGIN_F32 or GUSSET_PLUGIN_F64; 0 is invalid.
     pub scalar: u32,
@@ -84,8 +84,8 @@ pub struct gusset_plugin_mesh {
     pub face_size: u32,
     /// 0.
     pub reserved: u32,
-    /// Representative of each vertex, which represents itself; NULL: all are separate. Vertices
-    /// with one representative are one, so seams are not borders.
+    /// Representative of each vertex, itself or one that represents itself; NULL: all are separate.
+    /// Vertices with one representative are one, so seams are not borders.
     pub merge: *const c_void,
 }
 
@@ -108,14 +108,14 @@ pub struct gusset_plugin_curves {
     pub points: *const c_void,
     /// Stride of points.
     pub point_stride: usize,
-    /// Number of points, at most 2^32 - 2.
+    /// At most 2^32 - 2.
     pub point_count: usize,
     /// curve_count + 1 32-bit entries, nondecreasing from 0 to point_count; may be NULL without
     /// curves.
     pub offsets: *const c_void,
     /// For each curve 0 (open) or 1 (closed); NULL: all open.
     pub closed: *const u8,
-    /// Number of curves, at most 2^32 - 2.
+    /// At most 2^32 - 2.
     pub curve_count: usize,
     /// GUSSET_PLUGIN_F32 or GUSSET_PLUGIN_F64.
     pub scalar: u32,
@@ -180,7 +180,7 @@ pub struct gusset_param_info {
     pub help: *const c_char,
     /// GUSSET_PARAM_...
     pub kind: u32,
-    /// Number of values: 3 for points and directions, 4 for planes, else 1.
+    /// 3 for points and directions, 4 for planes, else 1.
     pub arity: u32,
     /// Least value of each component.
     pub min: f64,
@@ -246,8 +246,8 @@ pub struct gusset_filter {
         values: *mut f64,
     ) -> i32,
     /// Runs the filter. host: NULL for no callbacks and all threads. values: the first value_count;
-    /// suggest gives the rest. outputs: receives the outputs or the reason of a failure; free it.
-    /// It is NULL only if memory ran out.
+    /// suggest gives the rest. outputs: receives the outputs or the reason of a failure; call
+    /// output_free in both cases. *outputs is NULL only if memory ran out.
     pub run: unsafe extern "C" fn(
         filter: *const gusset_filter,
         host: *const gusset_host,
@@ -273,13 +273,12 @@ pub struct gusset_failure {
     pub param: u32,
     /// Faulty input, or GUSSET_PLUGIN_NONE.
     pub input: u32,
-    /// Kind of element, GUSSET_ELEMENT_... of gusset.h: 0 none, 1 vertex, 2 face, 3 corner, 4 entry
-    /// of an array of offsets, 5 place in a loop, 6 none (index is a number of elements or bytes),
-    /// 7 point of all curves, 8 constraint on an outline, 9 place on a curve or surface, 12 section
-    /// or plane, 13 net node by rows, 14 net link (twice its first node, plus 1 if vertical), 15
-    /// net cell by rows, 16 seam, 17 bridge, 18 scene entry, 19 stream byte, 20 place along a net
-    /// side, 21 other given item, 30 knot, 31 row of a net of curves, 32 edge of a winged-edge
-    /// table. Later versions may add kinds.
+    /// Kind of element, GUSSET_ELEMENT_... of gusset.h: 0 none, 1 vertex, 2 face, 3 corner, 4
+    /// offset, 5 place in a loop, 6 none (index is a count), 7 point of all curves, 8 constraint on
+    /// an outline, 9 place on a curve or surface, 12 section or plane, 13 net node by rows, 14 net
+    /// link (twice its first node, plus 1 if vertical), 15 net cell by rows, 16 seam, 17 bridge, 18
+    /// scene entry, 19 stream byte, 20 place along a net side, 21 other given item, 30 knot, 31 row
+    /// of a net of curves, 32 edge of a winged-edge table. Later versions may add kinds.
     pub element: u32,
     /// First faulty element.
     pub index: u64,

@@ -127,7 +127,7 @@ pub unsafe extern "C" fn gusset_scene_add(
     })
 }
 
-/// Appends an entry to a group. An entry may occur in it repeatedly.
+/// Appends an entry to a group, perhaps repeatedly.
 ///
 /// @param group the group.
 /// @param child the entry.
@@ -207,7 +207,6 @@ versioned! { gusset_scene_changes: 32 reserved }
 /// Changes the net, transform or visibility of an entry.
 ///
 /// @param entry the entry.
-/// @param changes the changes.
 /// @errors NO_SUCH_ELEMENT (also if a group would get a net), OUT_OF_RANGE (transform)
 /// @complexity O(1); O(nodes) for a net in the caller's memory.
 #[unsafe(no_mangle)]
@@ -302,7 +301,7 @@ pub unsafe extern "C" fn gusset_scene_get_children(
     })
 }
 
-/// Counts the contents of a scene.
+/// Counts the contents.
 ///
 /// @complexity O(entries + children).
 #[unsafe(no_mangle)]

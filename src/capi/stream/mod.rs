@@ -82,7 +82,7 @@ pub struct gusset_stream_view {
     pub struct_size: usize,
     /// First byte.
     pub data: *const c_void,
-    /// Number of bytes.
+    /// Bytes.
     pub size: usize,
 }
 
@@ -133,7 +133,7 @@ pub unsafe extern "C" fn gusset_net_encode_create(
     })
 }
 
-/// Lends the bytes of a stream.
+/// Lends the bytes.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stream_get_view(
@@ -215,7 +215,7 @@ pub unsafe extern "C" fn gusset_net_decode_create(
     })
 }
 
-/// Makes a decoder of a stream that arrives in pieces.
+/// Makes a decoder.
 ///
 /// @param node_limit most nodes; 0: 2^31 - 1. Memory is allocated before the stream is complete.
 /// @complexity O(1).
@@ -232,14 +232,14 @@ pub unsafe extern "C" fn gusset_stream_decoder_create(
     })
 }
 
-/// Passes the next bytes of a stream to a decoder.
+/// Passes the next bytes to a decoder.
 ///
 /// After OUT_OF_MEMORY the decoder is unchanged; any other error is final, and further calls return
 /// it.
 ///
 /// @param data any number of bytes.
 /// @param size bytes.
-/// @param rows_done receives the count of complete rows; may be NULL.
+/// @param rows_done receives the count of complete rows, or NULL.
 /// @errors BAD_STREAM (byte), TOO_LARGE
 /// @complexity O(bytes + nodes of completed blocks).
 #[unsafe(no_mangle)]

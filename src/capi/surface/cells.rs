@@ -73,7 +73,7 @@ fixed! { gusset_surface_cell: 12 }
 ///
 /// @param query up to 1e150.
 /// @param radius at least 0; INFINITY: all cells.
-/// @errors NOT_FINITE, OUT_OF_RANGE (radius; a coordinate beyond 1e150)
+/// @errors NOT_FINITE, OUT_OF_RANGE (radius, query)
 /// @complexity O(cells found), and one bit a cell.
 #[unsafe(no_mangle)]
 #[must_use]

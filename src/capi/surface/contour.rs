@@ -102,7 +102,7 @@ pub(crate) fn spacing(spacing: gusset_spacing_rule, chord: f64, points: u32) -> 
     })
 }
 
-/// Draws contours of a function on a surface: sections, contours of values, or isophotes.
+/// Draws contours of a function.
 ///
 /// Curves are ordered by level, then by lowest cell. Seen against the normals, the function
 /// increases to the left of a curve (angles decrease): a section runs along direction x normal.

@@ -41,7 +41,7 @@ pub unsafe extern "C" fn gusset_curve_through_create(
     })
 }
 
-/// Makes an exact coordinate curve of a sheet, one segment for each cell.
+/// Makes an exact coordinate curve of a sheet, one segment a cell.
 ///
 /// @param parameter the constant u or v, 0 to the number of cells in its direction.
 /// @errors OUT_OF_RANGE (parameter)

@@ -1,4 +1,4 @@
-//! Distances: Nearest points of a surface and a line, a plane, a curve or another surface.
+//! Distances: Nearest points of a surface and a line, plane, curve or surface.
 
 use crate::capi::context::{answer_struct, gusset_context};
 use crate::capi::curve::{gusset_curve, gusset_place, view};
@@ -110,8 +110,7 @@ impl gusset_distance_report {
 /// Finds the nearest points of a surface and a target.
 ///
 /// Among equally near pairs, the choice is deterministic. If much of the surface is equally near,
-/// as a tube to its axis, the proof may fail. If a plane meets the surface, the points lie on the
-/// section.
+/// the proof may fail. If a plane meets the surface, the points lie on the section.
 ///
 /// @param tolerance length to which the distance is proved, finite; 0: the surface's, or the
 ///     greater of two.

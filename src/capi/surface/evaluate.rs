@@ -37,8 +37,7 @@ pub struct gusset_surface_point {
     pub vv: [f64; 3],
     /// Unit normal along S_u x S_v; 0 if undefined.
     pub normal: [f64; 3],
-    /// For GUSSET_NORMAL_LIMIT: largest angle to limits along other lines; small at a smooth pole,
-    /// large at a cone's tip.
+    /// For GUSSET_NORMAL_LIMIT: largest angle to limits along other lines.
     pub spread: f64,
     /// Principal curvatures, the greater first; positive if bent towards the normal.
     pub principal: [f64; 2],

@@ -32,7 +32,7 @@ pub type gusset_hit_selection = u32;
 pub const GUSSET_HITS_ALL: gusset_hit_selection = 0;
 /// The first hit.
 pub const GUSSET_HITS_FIRST: gusset_hit_selection = 1;
-/// Any one hit, if one exists.
+/// Any one hit.
 pub const GUSSET_HITS_ANY: gusset_hit_selection = 2;
 
 /// Kind of a hit.

@@ -28,7 +28,7 @@ use crate::surface::{Contact, ContactKind, Paths, Place, Sheet, Surface};
 use glam::DVec3;
 use gusset_base::alloc;
 
-/// A smooth surface of sheets, indexed for queries. The sheets may be destroyed.
+/// A smooth surface of sheets, indexed for queries.
 pub struct gusset_surface(pub(crate) Surface<'static>, pub(crate) Vec<gusset_surface_sheet>);
 
 handle! { gusset_surface }
@@ -61,7 +61,7 @@ pub struct gusset_surface_sheet {
 pub struct gusset_surface_place {
     /// Index of the sheet.
     pub sheet: u32,
-    /// Row of the cell, between node rows row and row + 1.
+    /// Row of the cell.
     pub row: u32,
     /// Column of the cell.
     pub column: u32,
@@ -269,7 +269,7 @@ pub unsafe extern "C" fn gusset_surface_create(
     })
 }
 
-/// Frees a surface. Its results stay valid.
+/// Frees a surface.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_destroy(surface: *mut gusset_surface) {
     handle::destroy(surface);

@@ -76,9 +76,9 @@ pub struct gusset_surface_points_view {
     pub points: *const gusset_surface_nearest_point,
     /// Number of points.
     pub count: usize,
-    /// Below it, no minimum is missing.
+    /// No minimum below this distance is missing.
     pub bound: f64,
-    /// 0 if the search stopped at `bound`, as for a constant distance.
+    /// 0 if the search stopped at `bound`.
     /// @flag
     pub complete: u32,
     /// 0.
@@ -116,14 +116,14 @@ impl gusset_nearest_options {
     }
 }
 
-/// Finds the nearest point of a surface for each query.
+/// Finds the nearest point for each query.
 ///
 /// Among equally near points, the first by sheet, row and column is returned. Answers do not depend
 /// on other queries.
 ///
-/// @param queries the points.
+/// @param queries up to 1e150.
 /// @param points receives count answers in order; after an error, none is found.
-/// @errors TOO_LARGE, NOT_FINITE (query), OUT_OF_RANGE (limit; a coordinate beyond 1e150)
+/// @errors TOO_LARGE, NOT_FINITE (query), OUT_OF_RANGE (limit, query)
 /// @complexity O(log nodes) a query, parallel; more near centres of curvature, but bounded.
 /// @source Leus, task a.
 #[unsafe(no_mangle)]
@@ -151,13 +151,13 @@ pub unsafe extern "C" fn gusset_surface_nearest(
 
 /// Finds the local minima of the distance from a query.
 ///
-/// No minimum is missed. If the distance is constant, as at a focus, one point represents all cells
-/// that touch there, GUSSET_NEAREST_AMBIGUOUS but not GUSSET_NEAREST_PROVEN. On borders and
-/// creases, no path on the surface leads nearer.
+/// No minimum is missed. If the distance is constant, one point represents all cells that touch
+/// there, GUSSET_NEAREST_AMBIGUOUS but not GUSSET_NEAREST_PROVEN. On borders and creases, no path
+/// on the surface leads nearer.
 ///
 /// @param query up to 1e150.
 /// @param points receives the minima.
-/// @errors NOT_FINITE, OUT_OF_RANGE (limit; a coordinate beyond 1e150)
+/// @errors NOT_FINITE, OUT_OF_RANGE (limit, query)
 /// @complexity O(cells within the limit, or up to the last of max_count minima).
 #[unsafe(no_mangle)]
 #[must_use]

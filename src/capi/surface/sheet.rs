@@ -19,8 +19,7 @@ use gusset_base::alloc;
 use gusset_base::geom::strided::Strided;
 use std::ffi::c_void;
 
-/// A piece of surface: rows and columns of cells, each a Bézier patch. Its sources may be
-/// destroyed.
+/// A piece of surface: rows and columns of cells, each a Bézier patch.
 pub struct gusset_sheet(pub(crate) Sheet<'static>);
 
 handle! { gusset_sheet }
@@ -187,7 +186,7 @@ fn with_tangents(
 
 /// Makes a sheet through nodes, or the C1 bicubic Hermite surface of given tangents.
 ///
-/// Repeated nodes and rows that are one point (poles) are allowed.
+/// Repeated nodes and poles are allowed.
 ///
 /// Borrowed nodes are f64, with address and strides that are multiples of 8. They must stay valid
 /// and unchanged until the sheet and everything made of it are destroyed.
@@ -227,7 +226,7 @@ pub unsafe extern "C" fn gusset_sheet_create(
     })
 }
 
-/// Frees a sheet. Results made of it stay valid.
+/// Frees a sheet.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_sheet_destroy(sheet: *mut gusset_sheet) {
     handle::destroy(sheet);

@@ -113,7 +113,7 @@ fn curves<'a>(
     alloc::try_collect(handles.map(|handle| Ok(handle?.0.view())))
 }
 
-/// Makes a sheet from Bézier patches in rows and columns.
+/// Makes a sheet from Bézier patches.
 ///
 /// Adjacent patches should share sides. Repeated points and poles are allowed.
 ///
@@ -206,8 +206,7 @@ pub unsafe extern "C" fn gusset_sheet_from_spline_create(
 /// order. Else all rows are cut at each joint, which adds cells. Columns likewise.
 ///
 /// The surface is C1 where the curves are C1 over common knots without joints between nodes;
-/// elsewhere nearly C1 (see gusset_sheet_measure). Polylines keep their creases; for smooth curves,
-/// see gusset_outline_create.
+/// elsewhere nearly C1 (see gusset_sheet_measure). Polylines keep their creases.
 ///
 /// @errors NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree, tolerance), CURVE_NOT_CLOSED,
 ///     CURVES_APART (with row and distance; also out of order), TOO_LARGE

@@ -83,7 +83,7 @@ pub unsafe extern "C" fn gusset_sheet_to_mesh(
     })
 }
 
-/// Lends places and normals of a sheet's mesh.
+/// Lends the places and normals.
 ///
 /// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]

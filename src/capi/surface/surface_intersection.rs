@@ -70,10 +70,9 @@ fn read_options(options: *const gusset_intersection_options) -> Result<Options, 
 ///
 /// Within a contact's radius, loops are omitted and paths run straight to its point. The radius is
 /// at most about 4 sqrt(2 tolerance / c), c the least curvature of the difference. At a crossing, a
-/// path turns into the branch that closes it, if any: a figure of eight becomes two closed paths
-/// with a common point.
+/// path turns into the branch that closes it, if any.
 ///
-/// Unresolved cells of the first surface are those where
+/// Cells of the first surface are unresolved where
 /// - the surfaces coincide, or touch along a curve, at a pole, at a border or to a higher order;
 /// - the work limit is exceeded, as by branches within 1e-4 of a cell of each other, or nearly
 ///   along cell sides of both surfaces.
@@ -82,9 +81,8 @@ fn read_options(options: *const gusset_intersection_options) -> Result<Options, 
 /// to both surfaces as elsewhere.
 ///
 /// Self-intersections:
-/// - Along a closed curve the pieces may swap (Klein bottle): it ends at its first point with
-///   `places` and `others` exchanged. A seam that turns the sheet over (Möbius band) also reverses
-///   the direction.
+/// - Along a closed curve the pieces may swap: it ends at its first point with `places` and
+///   `others` exchanged. A seam that turns the sheet over also reverses the direction.
 /// - Common points of joined cells do not count. Joined cells share a side, corner or pole, or lie
 ///   at opposite borders of a sheet with equal control points, in either order, to 64 units of
 ///   rounding of the largest coordinate.
