@@ -31,7 +31,7 @@
  *
  * Units. Counts are in elements, strides in bytes, angles in radians, lengths in the unit of the positions. Indices
  * begin at 0. Coordinates are 32-bit or 64-bit floats, as `scalar` says. Points and vectors are x, y, z; arrays are
- * packed unless they have a stride. There is one offset more than parts.
+ * packed unless they have a stride. An array of offsets has one entry more than parts.
  *
  * Structs. Set struct_size to sizeof the struct, and all other fields to 0 for the defaults:
  * `gusset_fill_options options = {.struct_size = sizeof options};`. Fields called reserved must be 0.
@@ -41,19 +41,19 @@
  * NULL. A view lends memory of its handle, valid until the handle is destroyed or changed. A lent array without
  * elements is NULL.
  *
- * Buffers. NULL with `capacity` 0 skips an output array; `written` receives the count, also with BUFFER_TOO_SMALL.
+ * Buffers. Where a function has `written`, NULL with capacity 0 skips the array; `written` receives the count.
  *
  * Errors. A function returns GUSSET_OK or a gusset_status; gusset_context_get_message explains it, and
- * gusset_context_get_report names the element, its index and its value. After an error, output handles are NULL,
- * output structs and numbers (but `written`) are cleared, the content of an output array is unspecified, and nothing
- * else has changed. An outcome in a report, such as a defect or a hole left open, is not an error; gusset_choice_text
- * says what its value means.
+ * gusset_context_get_report names the element, its index and its value. After an error, output handles are NULL, output
+ * structs and numbers are cleared, the content of an output array is unspecified, and nothing else has changed. One
+ * exception: BUFFER_TOO_SMALL reports the size needed. An outcome in a report, such as a defect or a hole left open, is
+ * not an error; gusset_choice_text says what its value means.
  *
- * Comments. @errors lists the statuses of a function without GUSSET_ERROR_; "as f" adds the errors of f. Every
- * function may also return NULL_ARGUMENT, MISALIGNED_ARGUMENT, WRONG_HANDLE, BAD_STRUCT_SIZE, UNKNOWN_VALUE,
- * SIZE_OVERFLOW, OUT_OF_MEMORY, and with a context CONTEXT_BUSY and CANCELLED. H is the number of half-edges, d the
- * largest number of edges at a vertex. A _get_ function without @complexity takes O(1). @flag: 0 or 1. @bits: a sum of
- * constants. "@when f X": read only if the field f is X. @values: no others.
+ * Comments. @errors lists the statuses of a function without GUSSET_ERROR_; "as f" adds the errors of f. Every function
+ * may also return NULL_ARGUMENT, MISALIGNED_ARGUMENT, WRONG_HANDLE, BAD_STRUCT_SIZE, UNKNOWN_VALUE, SIZE_OVERFLOW,
+ * OUT_OF_MEMORY, and with a context CONTEXT_BUSY and CANCELLED. H is the number of half-edges, d the largest number of
+ * edges at a vertex. A getter without a complexity takes O(1). @flag: 0 or 1. @bits: a sum of constants. "@when f X":
+ * read only if the field f is X. @values: no others.
  *
  * Threads. Every function is reentrant. Handles are immutable, except nets, scenes and decoders: do not use one of
  * these while another thread changes it. A context serves one call at a time. Results do not depend on the number of

@@ -130,9 +130,9 @@ typedef struct gusset_plugin_attributes {
                        uint32_t index,
                        uint32_t domain,
                        struct gusset_plugin_origins *origins);
-    /// Writes the values of the output's elements in O(elements and sources). host: as for run. inputs: of each input
-    /// of the run. values: room for count elements, at least the output's; no overlap with the inputs' values. failure:
-    /// receives the reason, with a static message; may be NULL.
+    /// Writes the values of the output's elements in O(elements and sources). host: as for run. inputs: one for each
+    /// input of the run, in order. values: room for count elements, at least the output's; no overlap with the inputs'
+    /// values. failure: receives the reason, with a static message; may be NULL.
     int32_t (*apply)(const struct gusset_outputs *outputs,
                      uint32_t index,
                      const struct gusset_host *host,

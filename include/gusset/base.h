@@ -161,7 +161,7 @@ typedef int32_t gusset_status;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
-/// Kind of element that the index of a report counts.
+/// Element that a report's index counts.
 typedef uint32_t gusset_element;
 /// The index means nothing.
 #define GUSSET_ELEMENT_NONE 0

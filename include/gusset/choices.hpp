@@ -568,7 +568,7 @@ enum class Visibility : uint32_t {
     hide = GUSSET_VISIBILITY_HIDE
 };
 
-/// Kind of element that the index of a report counts. See ::gusset_element.
+/// Element that a report's index counts. See ::gusset_element.
 enum class Element : uint32_t {
     none = GUSSET_ELEMENT_NONE,
     vertex = GUSSET_ELEMENT_VERTEX,

@@ -255,7 +255,7 @@ typedef struct gusset_outlines {
     /// outline_count + 1 offsets into points, from 0, not decreasing. NULL with outline_count 0: one outline.
     const uint32_t *offsets;
     size_t outline_count;
-    /// Ascending by point, at most one each. The first of merged points counts.
+    /// Ascending by point, at most one each; or NULL. The first of merged points counts.
     const struct gusset_constraint *constraints;
     size_t constraint_count;
     /// 2 or 3.
@@ -414,8 +414,8 @@ typedef struct gusset_curve_measures {
 /// Computes points, derivatives, tangents and curvatures at places.
 /// NULL outputs are not computed. After an error, nothing is written.
 /// @param order highest derivative, 0 to 64; read only with `derivatives`.
-/// @param derivatives receives 3 (order + 1) count numbers: for each place the point, then derivatives by t; 0 beyond
-///     the degree.
+/// @param derivatives receives 3 (order + 1) count numbers: for each place the point, then derivatives by t in order; 0
+///     beyond the degree.
 /// @param tangents receives count unit tangents; 0 on a segment without extent.
 /// @param curvatures receives count numbers, 1 / radius, on plane segments positive if turning from x to y. Infinite
 ///     where the first derivative is 0.
@@ -458,7 +458,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_curve_measure(const struct gusse
 
 /* ---- Intersections of curves: Intersections, tangency points and samples. */
 
-/// Places on a curve, or on two curves.
+/// Places on one or two curves.
 typedef struct gusset_places gusset_places;
 
 /// Lent places.
@@ -492,7 +492,7 @@ typedef uint32_t gusset_sample_rule;
 #define GUSSET_SAMPLE_CHORD 2
 
 /// Finds where a curve crosses or touches a plane.
-/// For the line through `point` along (x, y) in the plane z = 0, use the normal (-y, x, 0).
+/// For a line along (x, y) in the plane z = 0, the normal is (-y, x, 0).
 /// @param point a point of the plane.
 /// @param normal not 0.
 /// @errors OUT_OF_RANGE (normal), NOT_FINITE
@@ -701,7 +701,6 @@ typedef struct gusset_frame_options {
     /// ANGLE: a point of a bent axis for each section, in place of axis_point and axis_direction. The axis follows
     /// circles through three points each; the reference does not rotate about it. NULL: straight.
     const double *axis_points;
-    /// Sections.
     size_t axis_point_count;
     /// LANDMARKS: for each section the same number of indices of its points, in order.
     struct gusset_indices landmarks;

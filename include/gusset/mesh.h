@@ -71,7 +71,7 @@ typedef struct gusset_mesh_view {
 /// WRONG_HANDLE.
 typedef struct gusset_result gusset_result;
 
-/// Quality of new faces and of the whole result.
+/// Quality of new faces and the result.
 typedef struct gusset_quality_report {
     size_t struct_size;
     /// Smallest angle of new triangles; 0 if one is degenerate.
@@ -100,7 +100,7 @@ GUSSET_API void gusset_result_destroy(struct gusset_result *result);
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_mesh(const struct gusset_result *result,
     struct gusset_mesh_view *view);
 
-/// Reports the quality of a result of gusset_stitch or gusset_fill.
+/// Reports the quality of a stitch or filling.
 /// @errors WRONG_HANDLE
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_result_get_quality(const struct gusset_result *result,
     struct gusset_quality_report *report);
@@ -136,9 +136,10 @@ struct gusset_join_options;
 ///   Similar: the ninth decile is at most 4 times the first, or the vertex spacing.
 /// - Else runs of mutually nearest vertices, by open strips.
 /// @param pieces at least one; struct_size of the first holds for all.
-/// @errors as gusset_mesh_view, EMPTY_MESH, MIXED_SCALARS, OUT_OF_RANGE (a tolerance, max_gap, or a pair: index is the
-///     entry, input its loop 0 or 1, value the missing piece, else the vertex. The piece or vertex does not exist. In
-///     pairs, also: no vertex, no or several joinable loops at it, or a loop named before), TOO_LARGE
+/// @errors as gusset_mesh_view, EMPTY_MESH, MIXED_SCALARS, OUT_OF_RANGE (a tolerance, max_gap, or an entry of pairs or
+///     excluded: index is the entry, input its loop 0 or 1, value the missing piece, else the vertex. The piece or
+///     vertex does not exist. In pairs, also: no vertex, no or several joinable loops at it, or a loop named before),
+///     TOO_LARGE
 /// @complexity O(H log d + V log V) for V vertices on loops, gusset_stitch for each strip, gusset_fill for each hole, a
 ///     pass over all faces for each strip faired or tested for intersections.
 /// @source Nesterenko for a single gap.
@@ -339,7 +340,7 @@ typedef struct gusset_stitch_options {
     uint32_t reserved;
 } gusset_stitch_options;
 
-/* ---- Options of joining: Which borders are joined, and how. */
+/* ---- Options of joining: Which borders are joined. */
 
 /// Treatment of coincident borders.
 typedef uint32_t gusset_welding;
@@ -1138,6 +1139,7 @@ typedef struct gusset_overlap {
     double rms;
     /// Fraction on the other piece of the points within 8 mean edges of it, 0 to 1.
     double fit;
+    /// Points on the other piece.
     uint32_t count;
     /// 1 if count is at least 30 and fit at least 2/3. @flag
     uint32_t trusted;
@@ -1482,9 +1484,9 @@ typedef struct gusset_develop_options {
 /// The surface is cut along the given paths; components that are not discs are then opened along short paths. Each
 /// connected component of the rest is a chart. The result has the surface's scalar type and z = 0; faces keep their
 /// order and first corners, and are counter-clockwise.
-/// - A chart that unfolds about its edges, as a cylinder or cone does, keeps their lengths. The error is at most 1e-10
-///   of the length, or of 1e-3 mean edges if more, before rounding, which grows with the distance from the origin. The
-///   chart may overlap itself, and rounding may turn over triangles without area.
+/// - A chart that unfolds about its edges keeps their lengths. The error is at most 1e-10 of the length, or of 1e-3
+///   mean edges if more, before rounding, which grows with the distance from the origin. The chart may overlap itself,
+///   and rounding may turn over triangles without area.
 /// - Other charts descend to the least distortion. The map is one-to-one: no triangle is turned over, and the border
 ///   does not meet itself. If this ends the descent early, finish is GUSSET_CHART_STALLED.
 /// - Darts are made while they lower the distortion, from the border to the vertex with the worst conformal scale.

@@ -173,7 +173,7 @@ typedef struct gusset_net_gluing_report {
     uint32_t reversed;
 } gusset_net_gluing_report;
 
-/// Writes the gluing of a net.
+/// Writes the gluing of a net. NULL with capacity 0 skips an array.
 /// @param matrix receives the characteristic matrix.
 /// @param matrix_capacity at least matrix_size of the report.
 /// @param seam_capacity at least seam_count of the report.
@@ -290,7 +290,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_glue(const struct gusset_con
 /// @param separation gap between the pieces of a point, or 0. Each piece moves by half of it towards the mean of its
 ///     neighbours, preferably unsplit ones. A piece without neighbours, or at their mean, stays.
 /// @param moved receives the count of moved pieces, or NULL.
-/// @errors as gusset_net_glue, OUT_OF_RANGE (separation)
+/// @errors as gusset_net_glue, OUT_OF_RANGE (separation negative or not finite)
 /// @complexity O(nodes), plus a sort of pairs.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_net_unglue(const struct gusset_context *context, struct gusset_net *net,
     const struct gusset_gluing *gluings, size_t count, double separation, uint64_t *moved);

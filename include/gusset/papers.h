@@ -178,7 +178,7 @@ struct gusset_surface_place;
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_normals_by_sections(const struct gusset_context *context,
     const struct gusset_sheet *sheet, const struct gusset_surface_place *places, size_t count, double *normals);
 
-/* ---- Winged-edge tables: Baumgart's tables of a mesh, and boundary loops found in them. */
+/* ---- Winged-edge tables: Baumgart's tables of a mesh, and its boundary loops. */
 
 /// Orientation of faces in a mesh.
 typedef uint32_t gusset_winding;

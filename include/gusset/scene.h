@@ -145,7 +145,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_scene_get_report(const struct gu
 
 /* ---- Visible nets of a scene: Lists instances, and joins their nets into one. */
 
-/// Instance: one path from a top-level entry to an entry.
+/// Instance: a path from top level to an entry.
 typedef struct gusset_scene_instance {
     /// Map into the scene's space.
     struct gusset_transform world;

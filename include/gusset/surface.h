@@ -15,7 +15,7 @@ extern "C" {
 /// A smooth surface of sheets, indexed for queries.
 typedef struct gusset_surface gusset_surface;
 
-/// Size and numbering of a surface's sheet.
+/// Size and numbering of a sheet.
 typedef struct gusset_surface_sheet {
     /// Rows of cells: u runs from 0 to rows.
     size_t rows;
@@ -202,7 +202,7 @@ typedef struct gusset_tangents {
 /// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE (borrowed nodes), NOT_FINITE (node, tangent or twist), SIDES_DIFFER
 ///     (closed, but the ends differ; with the largest gap)
 /// @complexity O(nodes); 24 bytes a node (0 if borrowed), with tangents 384 bytes a cell.
-/// @source Leus, "Carcasses on smooth surfaces".
+/// @source Leus.
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_sheet_create(const struct gusset_context *context,
     const struct gusset_nodes *nodes, const struct gusset_tangents *tangents, uint32_t borrow,
     struct gusset_sheet **sheet);
@@ -354,7 +354,7 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_surface_locate(const struct guss
     const struct gusset_surface *surface, uint32_t sheet, const double *parameters, size_t count,
     struct gusset_surface_place *places);
 
-/* ---- Lines: Intersections of lines, rays, segments and curves with a surface. */
+/* ---- Lines: Hits of lines and curves on a surface. */
 
 /// A line, ray or segment: origin + t * direction for t from `from` to `to`.
 typedef struct gusset_line {
@@ -404,7 +404,7 @@ typedef struct gusset_surface_hit {
     uint32_t reserved;
 } gusset_surface_hit;
 
-/// Hits of lines and a curve on a surface.
+/// Hits on a surface.
 typedef struct gusset_surface_hits gusset_surface_hits;
 
 /// Lent hits.
@@ -993,7 +993,7 @@ typedef struct gusset_surface_cell {
     uint32_t column;
 } gusset_surface_cell;
 
-/// Cells of a surface, or pairs of cells of two.
+/// Cells, or pairs of cells.
 typedef struct gusset_surface_cells gusset_surface_cells;
 
 /// Lent cells. Region: `others` is NULL; pairs: the fields below it are NULL or 0.

@@ -59,7 +59,7 @@ pub struct gusset_error_report {
     pub struct_size: usize,
     /// Status that the call returned.
     pub status: i32,
-    /// Kind of element that the index of a report counts.
+    /// Element that a report's index counts.
     pub element: gusset_element,
     /// First offending element.
     pub index: u64,

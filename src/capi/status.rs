@@ -136,7 +136,7 @@ pub enum gusset_status {
 
 use gusset_status::*;
 
-/// Kind of element that the index of a report counts.
+/// Element that a report's index counts.
 pub type gusset_element = u32;
 /// The index means nothing.
 pub const GUSSET_ELEMENT_NONE: gusset_element = 0;

@@ -89,7 +89,7 @@ pub struct gusset_frame_options {
     /// NULL: straight.
     /// @shape axis_point_count 3
     pub axis_points: *const f64,
-    /// Sections.
+    /// Number of sections.
     pub axis_point_count: usize,
     /// LANDMARKS: for each section the same number of indices of its points, in order.
     pub landmarks: gusset_indices,

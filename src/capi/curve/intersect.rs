@@ -14,7 +14,7 @@ use crate::job::Job;
 use glam::DVec3;
 use gusset_base::alloc;
 
-/// Places on a curve, or on two curves.
+/// Places on one or two curves.
 #[derive(Default)]
 pub struct gusset_places {
     places: Vec<gusset_place>,
@@ -111,7 +111,7 @@ impl gusset_places {
 
 /// Finds where a curve crosses or touches a plane.
 ///
-/// For the line through `point` along (x, y) in the plane z = 0, use the normal (-y, x, 0).
+/// For a line along (x, y) in the plane z = 0, the normal is (-y, x, 0).
 ///
 /// @param point a point of the plane.
 /// @param normal not 0.

@@ -96,7 +96,7 @@ fn room<'a, T>(
 ///
 /// @param order highest derivative, 0 to 64; read only with `derivatives`.
 /// @param derivatives receives 3 (order + 1) count numbers: for each place the point, then
-///     derivatives by t; 0 beyond the degree.
+///     derivatives by t in order; 0 beyond the degree.
 /// @param tangents receives count unit tangents; 0 on a segment without extent.
 /// @param curvatures receives count numbers, 1 / radius, on plane segments positive if turning from
 ///     x to y. Infinite where the first derivative is 0.

@@ -57,7 +57,7 @@ pub struct gusset_outlines {
     pub offsets: *const u32,
     /// Number of outlines.
     pub outline_count: usize,
-    /// Ascending by point, at most one each. The first of merged points counts.
+    /// Ascending by point, at most one each; or NULL. The first of merged points counts.
     pub constraints: *const gusset_constraint,
     /// Number of constraints.
     pub constraint_count: usize,

@@ -100,7 +100,7 @@ pub struct gusset_overlap {
     pub rms: f64,
     /// Fraction on the other piece of the points within 8 mean edges of it, 0 to 1.
     pub fit: f64,
-    /// Number of points on it.
+    /// Points on the other piece.
     pub count: u32,
     /// 1 if count is at least 30 and fit at least 2/3.
     /// @flag

@@ -68,10 +68,9 @@ impl gusset_develop_options {
 /// The surface is cut along the given paths; components that are not discs are then opened along
 /// short paths. Each connected component of the rest is a chart. The result has the surface's
 /// scalar type and z = 0; faces keep their order and first corners, and are counter-clockwise.
-/// - A chart that unfolds about its edges, as a cylinder or cone does, keeps their lengths. The
-///   error is at most 1e-10 of the length, or of 1e-3 mean edges if more, before rounding, which
-///   grows with the distance from the origin. The chart may overlap itself, and rounding may turn
-///   over triangles without area.
+/// - A chart that unfolds about its edges keeps their lengths. The error is at most 1e-10 of the
+///   length, or of 1e-3 mean edges if more, before rounding, which grows with the distance from the
+///   origin. The chart may overlap itself, and rounding may turn over triangles without area.
 /// - Other charts descend to the least distortion. The map is one-to-one: no triangle is turned
 ///   over, and the border does not meet itself. If this ends the descent early, finish is
 ///   GUSSET_CHART_STALLED.

@@ -28,10 +28,10 @@ use gusset_base::alloc;
 /// - Else runs of mutually nearest vertices, by open strips.
 ///
 /// @param pieces at least one; struct_size of the first holds for all.
-/// @errors as gusset_mesh_view, EMPTY_MESH, MIXED_SCALARS, OUT_OF_RANGE (a tolerance, max_gap, or a
-///     pair: index is the entry, input its loop 0 or 1, value the missing piece, else the vertex.
-///     The piece or vertex does not exist. In pairs, also: no vertex, no or several joinable loops
-///     at it, or a loop named before), TOO_LARGE
+/// @errors as gusset_mesh_view, EMPTY_MESH, MIXED_SCALARS, OUT_OF_RANGE (a tolerance, max_gap, or
+///     an entry of pairs or excluded: index is the entry, input its loop 0 or 1, value the missing
+///     piece, else the vertex. The piece or vertex does not exist. In pairs, also: no vertex, no or
+///     several joinable loops at it, or a loop named before), TOO_LARGE
 /// @complexity O(H log d + V log V) for V vertices on loops, gusset_stitch for each strip,
 ///     gusset_fill for each hole, a pass over all faces for each strip faired or tested for
 ///     intersections.

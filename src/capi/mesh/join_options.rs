@@ -1,4 +1,4 @@
-//! Options of joining: Which borders are joined, and how.
+//! Options of joining: Which borders are joined.
 
 use crate::assemble::{MaxGap, Options, Overlaps, Selector};
 use crate::capi::glue::{fixed, versioned};

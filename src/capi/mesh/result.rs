@@ -111,7 +111,7 @@ macro_rules! report {
 }
 pub(crate) use report;
 
-/// Quality of new faces and of the whole result.
+/// Quality of new faces and the result.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_quality_report {
@@ -170,7 +170,7 @@ pub unsafe extern "C" fn gusset_result_get_mesh(
     lend!(result, view, |result| mesh::lend(result.0.mesh()))
 }
 
-/// Reports the quality of a result of gusset_stitch or gusset_fill.
+/// Reports the quality of a stitch or filling.
 ///
 /// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]

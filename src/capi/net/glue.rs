@@ -195,7 +195,7 @@ pub unsafe extern "C" fn gusset_net_glue(
 ///     towards the mean of its neighbours, preferably unsplit ones. A piece without neighbours, or
 ///     at their mean, stays.
 /// @param moved receives the count of moved pieces, or NULL.
-/// @errors as gusset_net_glue, OUT_OF_RANGE (separation)
+/// @errors as gusset_net_glue, OUT_OF_RANGE (separation negative or not finite)
 /// @complexity O(nodes), plus a sort of pairs.
 #[unsafe(no_mangle)]
 #[must_use]

@@ -203,7 +203,7 @@ pub struct gusset_net_gluing_report {
 
 versioned! { gusset_net_gluing_report: 40 }
 
-/// Writes the gluing of a net.
+/// Writes the gluing of a net. NULL with capacity 0 skips an array.
 ///
 /// @param matrix receives the characteristic matrix.
 /// @param matrix_capacity at least matrix_size of the report.

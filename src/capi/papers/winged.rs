@@ -1,4 +1,4 @@
-//! Winged-edge tables: Baumgart's tables of a mesh, and boundary loops found in them.
+//! Winged-edge tables: Baumgart's tables of a mesh, and its boundary loops.
 //!
 //! @source Nesterenko, equations 1 to 3, after Baumgart.
 

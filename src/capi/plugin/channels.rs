@@ -135,9 +135,9 @@ pub struct gusset_plugin_attributes {
         origins: *mut gusset_plugin_origins,
     ) -> i32,
     /// Writes the values of the output's elements in O(elements and sources). host: as for run.
-    /// inputs: of each input of the run. values: room for count elements, at least the output's; no
-    /// overlap with the inputs' values. failure: receives the reason, with a static message; may be
-    /// NULL.
+    /// inputs: one for each input of the run, in order. values: room for count elements, at least
+    /// the output's; no overlap with the inputs' values. failure: receives the reason, with a
+    /// static message; may be NULL.
     pub apply: unsafe extern "C" fn(
         outputs: *const gusset_outputs,
         index: u32,

@@ -12,7 +12,7 @@ use crate::capi::transform::gusset_transform;
 use crate::net::scene::{Instance, Scene};
 use crate::net::{BridgeMode, Direction, JoinOptions};
 
-/// Instance: one path from a top-level entry to an entry.
+/// Instance: a path from top level to an entry.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_scene_instance {

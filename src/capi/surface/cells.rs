@@ -21,7 +21,7 @@ pub struct gusset_surface_cell {
     pub column: u32,
 }
 
-/// Cells of a surface, or pairs of cells of two.
+/// Cells, or pairs of cells.
 pub struct gusset_surface_cells {
     cells: Vec<gusset_surface_cell>,
     others: Vec<gusset_surface_cell>,

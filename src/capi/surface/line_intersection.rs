@@ -1,4 +1,4 @@
-//! Lines: Intersections of lines, rays, segments and curves with a surface.
+//! Lines: Hits of lines and curves on a surface.
 
 use crate::capi::context::{create, guard_change, gusset_context, lend};
 use crate::capi::curve::{gusset_curve, gusset_place, view};
@@ -66,7 +66,7 @@ pub struct gusset_surface_hit {
     pub reserved: u32,
 }
 
-/// Hits of lines and a curve on a surface.
+/// Hits on a surface.
 pub struct gusset_surface_hits {
     ends: Vec<u64>,
     hits: Vec<gusset_surface_hit>,

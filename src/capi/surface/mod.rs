@@ -33,7 +33,7 @@ pub struct gusset_surface(pub(crate) Surface<'static>, pub(crate) Vec<gusset_sur
 
 handle! { gusset_surface }
 
-/// Size and numbering of a surface's sheet.
+/// Size and numbering of a sheet.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_surface_sheet {

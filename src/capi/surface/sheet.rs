@@ -1,6 +1,6 @@
 //! Sheets: Smooth patches through a grid of nodes.
 //!
-//! @source Leus.
+//! @source Leus, "Carcasses on smooth surfaces".
 
 use crate::capi::context::{create, gusset_context};
 use crate::capi::curve::points;
@@ -199,7 +199,7 @@ fn with_tangents(
 /// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE (borrowed nodes), NOT_FINITE (node, tangent or
 ///     twist), SIDES_DIFFER (closed, but the ends differ; with the largest gap)
 /// @complexity O(nodes); 24 bytes a node (0 if borrowed), with tangents 384 bytes a cell.
-/// @source Leus, "Carcasses on smooth surfaces".
+/// @source Leus.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_create(
