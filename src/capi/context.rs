@@ -1,4 +1,4 @@
-//! Contexts: Threads, progress, cancellation, log, and the report of the last error.
+//! Contexts: Settings and outcomes of calls.
 
 use super::glue::versioned;
 use super::guard::catch_panic;
@@ -15,8 +15,8 @@ use std::ptr;
 use std::sync::atomic::Ordering;
 use std::sync::{Mutex, MutexGuard, TryLockError};
 
-/// Threads, progress, cancellation, log, and the outcome of the last call. One thread uses it at a
-/// time, but any thread may call gusset_context_cancel, gusset_context_reset and
+/// Threads, progress, cancellation, log, and the outcome of the last call. Only one thread uses it
+/// at a time; any thread may call gusset_context_cancel, gusset_context_reset and
 /// gusset_context_get_progress.
 pub struct gusset_context {
     watch: Watch,
@@ -25,25 +25,23 @@ pub struct gusset_context {
 
 handle! { gusset_context }
 
-/// Receives the progress of long work, on the calling thread. A nonzero return cancels this
-/// call only, unlike gusset_context_cancel.
-/// The callback must not throw or longjmp, or use the context, except gusset_context_cancel and
+/// Receives the progress of long work, on the calling thread. A nonzero return cancels this call
+/// only. The callback must not throw, longjmp, or use the context, except gusset_context_cancel and
 /// gusset_context_get_progress.
-/// - fraction: the part done, 0 to 1, never decreasing. If the call succeeds, the last report is 1.
+/// - fraction: the part done, 0 to 1, never decreasing; 1 at the end of a successful call.
 /// - stage: the current work; valid during the callback.
 pub type gusset_progress_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, fraction: f64, stage: *const c_char) -> c_int>;
 
-/// Receives remarks that are not errors, under the rules of gusset_progress_fn. Programs read the
-/// same from results; the sentences may change. Stitching, filling and joining remark that
-/// - the second piece of a stitch, or component of its loops, was turned over to agree with the
-///   first;
-/// - a closed component was inside out and was turned over;
+/// Receives remarks that are not errors, under the rules of gusset_progress_fn. Sentences may
+/// change; programs read results. Stitching, filling and joining remark that
+/// - the second piece or component of a stitch was turned over to agree with the first;
+/// - a closed component was inside out, and was turned over;
 /// - fairing was requested without new vertices;
-/// - rows, cells or fairing were requested with a blend, which ignores them;
-/// - a strip replaces a blend with too many vertices or more intersections;
-/// - loops stay open near others: near_loops_left of gusset_join_report is not 0;
-/// - a closed component encloses no volume: zero_volume of gusset_join_report is not empty.
+/// - rows, cells or fairing were requested with a blend;
+/// - a strip replaces a blend;
+/// - near_loops_left of gusset_join_report is not 0;
+/// - zero_volume of gusset_join_report is not empty.
 pub type gusset_log_fn = Option<unsafe extern "C" fn(user: *mut c_void, message: *const c_char)>;
 
 struct State {
@@ -61,13 +59,13 @@ pub struct gusset_error_report {
     pub struct_size: usize,
     /// Status that the call returned.
     pub status: i32,
-    /// Kind of element that the index of a report counts.
+    /// Element that a report's index counts.
     pub element: gusset_element,
     /// First offending element.
     pub index: u64,
-    /// Value of the element, if any: a coordinate, a vertex index, an exceeded limit.
+    /// Its value, if any: a coordinate, a vertex index, an exceeded limit.
     pub value: f64,
-    /// Mesh, input or loop of the element, from 0.
+    /// Mesh, piece, input or loop of the element.
     pub input: u32,
     /// 0.
     pub reserved: u32,
@@ -274,7 +272,7 @@ pub unsafe extern "C" fn gusset_context_set_threads(context: *mut gusset_context
 /// Sets the progress callback.
 ///
 /// @param progress NULL: none.
-/// @param user passed to the callback unchanged.
+/// @param user passed to the callback.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_progress(
@@ -290,7 +288,7 @@ pub unsafe extern "C" fn gusset_context_set_progress(
 /// Sets the log callback.
 ///
 /// @param log NULL: none.
-/// @param user passed to the callback unchanged.
+/// @param user passed to the callback.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_log(
@@ -332,7 +330,7 @@ pub unsafe extern "C" fn gusset_context_reset(context: *const gusset_context) {
     }
 }
 
-/// Returns the part of the running or last call that is done.
+/// Returns the done part of the running or last call.
 ///
 /// @return 0 to 1; 0 for NULL.
 /// @complexity O(1).
@@ -341,10 +339,10 @@ pub unsafe extern "C" fn gusset_context_get_progress(context: *const gusset_cont
     handle::get(context, "context").map_or(0.0, |context| context.watch.fraction())
 }
 
-/// Explains the error of the last call in an English sentence.
+/// Explains the last call's error in an English sentence.
 ///
-/// @return a NUL-terminated UTF-8 string, never NULL, valid until the next call with the context;
-///     empty after a success, during a call, and for NULL.
+/// @return a UTF-8 string, never NULL, valid until the next call with the context; empty after a
+///     success, during a call, and for NULL.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_get_message(context: *const gusset_context) -> *const c_char {
@@ -352,7 +350,7 @@ pub unsafe extern "C" fn gusset_context_get_message(context: *const gusset_conte
     state.map_or(c"".as_ptr(), |state| state.message.as_ptr())
 }
 
-/// Copies the report of the last call; it is cleared after a success.
+/// Copies the report of the last call, cleared after a success.
 ///
 /// @complexity O(1).
 #[unsafe(no_mangle)]

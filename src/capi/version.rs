@@ -1,4 +1,4 @@
-//! Versions: The version of the library and of its binary interface.
+//! Versions: Versions of the library and its binary interface.
 
 use std::ffi::{CStr, c_char};
 
@@ -17,8 +17,7 @@ pub extern "C" fn gusset_version() -> *const c_char {
 
 /// Returns the number of the binary interface.
 ///
-/// It changes when programs built against older headers could break: until 1.0, with each minor
-/// version.
+/// It changes when older programs could break: until 1.0, with each minor version.
 ///
 /// @return the number.
 /// @complexity O(1).

@@ -17,10 +17,10 @@ pub type gusset_curve_format = u32;
 /// flipped.
 pub const GUSSET_CURVE_FORMAT_SVG: gusset_curve_format = 0;
 /// TrueType contour, for closed plane curves up to degree 2: control points, and joints not in the
-/// middle between two of them.
+/// middle of two.
 pub const GUSSET_CURVE_FORMAT_CONTOUR: gusset_curve_format = 1;
-/// Clamped B-spline, for curves of one degree n. A joint with one tangent becomes a knot of
-/// multiplicity n - 1 without a control point.
+/// Clamped B-spline, for curves of one degree n. Smooth joints become knots of multiplicity n - 1
+/// without control points.
 pub const GUSSET_CURVE_FORMAT_SPLINE: gusset_curve_format = 2;
 
 /// An exported curve.
@@ -36,7 +36,7 @@ pub struct gusset_curve_form {
 
 handle! { gusset_curve_form }
 
-/// Lent parts of an exported curve; parts of other formats are empty.
+/// Lent parts of an exported curve; other formats' are empty.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_curve_form_view {
@@ -46,12 +46,12 @@ pub struct gusset_curve_form_view {
     pub text: *const c_char,
     /// Length without the final 0.
     pub text_length: usize,
-    /// x, y, z of contour points or control points of a spline.
+    /// Contour points, or control points of a spline.
     /// @shape point_count 3
     pub points: *const f64,
     /// Number of points.
     pub point_count: usize,
-    /// Contour: 1 for a point on the curve, 0 for a point off it.
+    /// Contour: 1 for a point on the curve.
     /// @shape point_count
     /// @flag
     pub on_curve: *const u8,
@@ -69,7 +69,7 @@ versioned! { gusset_curve_form_view: 72 }
 /// Exports a curve.
 ///
 /// @param tolerance for GUSSET_CURVE_FORMAT_CONTOUR: distance from the middle within which a joint
-///     is omitted, at least 0. Rounding is always allowed.
+///     is omitted, at least 0, besides rounding.
 /// @errors CURVE_NOT_PLANE (not for splines), CURVE_NOT_CLOSED (contours), EMPTY_CURVE (not for
 ///     SVG), OUT_OF_RANGE (tolerance; degree, see gusset_curve_change_degree_create)
 /// @complexity O(points).
@@ -110,8 +110,6 @@ pub unsafe extern "C" fn gusset_curve_form_destroy(form: *mut gusset_curve_form)
 }
 
 /// Lends the parts.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_form_get_view(

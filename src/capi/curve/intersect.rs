@@ -14,7 +14,7 @@ use crate::job::Job;
 use glam::DVec3;
 use gusset_base::alloc;
 
-/// Places on a curve, or on two curves.
+/// Places on one or two curves.
 #[derive(Default)]
 pub struct gusset_places {
     places: Vec<gusset_place>,
@@ -33,26 +33,26 @@ handle! { gusset_places }
 pub struct gusset_places_view {
     /// sizeof(gusset_places_view).
     pub struct_size: usize,
-    /// The places, ordered along the first curve.
+    /// Places, ordered along the first curve.
     /// @shape count
     pub places: *const gusset_place,
     /// Number of places.
     pub count: usize,
-    /// x, y, z at each place.
+    /// Points at the places.
     /// @shape count 3
     pub points: *const f64,
-    /// Intersections: places on the second curve, or later places on the same curve. Else NULL.
+    /// Intersections: places on the second curve, or later ones on the same curve. Else NULL.
     /// @shape count
     pub others: *const gusset_place,
-    /// Common parts, four places each: start and end on the first curve, the same on the second.
-    /// For tangent angles: start and end, twice.
+    /// Common parts, four places each: start and end on the first curve, then on the second. For
+    /// tangent angles: start and end, twice.
     /// @shape overlap_count 4
     pub overlaps: *const gusset_place,
     /// Number of overlaps.
     pub overlap_count: usize,
-    /// Segments that lie entirely in the plane or line.
+    /// Segments in the plane or line.
     pub inside: gusset_indices,
-    /// 1: a pair of segments was not resolved, because they agree within rounding over a long part.
+    /// 1: segments that agree within rounding over a long part were not resolved.
     /// @flag
     pub undecided: u32,
     /// 0.
@@ -67,7 +67,7 @@ pub type gusset_sample_rule = u32;
 pub const GUSSET_SAMPLE_COUNT: gusset_sample_rule = 0;
 /// A point every `amount` of arc length, and the end of an open curve.
 pub const GUSSET_SAMPLE_STEP: gusset_sample_rule = 1;
-/// Chords within `amount` of the curve. Each segment is halved at most 20 times, to 1e-12 of its
+/// Chords within `amount` of the curve. Segments are halved at most 20 times, to 1e-12 of their
 /// size.
 pub const GUSSET_SAMPLE_CHORD: gusset_sample_rule = 2;
 
@@ -111,10 +111,10 @@ impl gusset_places {
 
 /// Finds where a curve crosses or touches a plane.
 ///
-/// For the line through `point` along (x, y) in the plane z = 0, use the normal (-y, x, 0).
+/// For a line along (x, y) in the plane z = 0, the normal is (-y, x, 0).
 ///
-/// @param point x, y, z of a point of the plane.
-/// @param normal x, y, z, not 0.
+/// @param point a point of the plane.
+/// @param normal not 0.
 /// @errors OUT_OF_RANGE (normal), NOT_FINITE
 /// @complexity O(points + degree^2 crossings).
 #[unsafe(no_mangle)]
@@ -137,17 +137,15 @@ pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
     })
 }
 
-/// Finds where two curves meet or come within a distance, or where a plane curve meets itself.
+/// Finds where two curves meet or come within a distance, or a plane curve meets itself.
 ///
-/// If within is 0 and both curves are plane, the result has crossings and touches. Otherwise it has
-/// the local minima of the distance, each once. Joints of adjacent segments are not
-/// self-intersections.
+/// If within is 0 and both curves are plane, the result has crossings and touches, else the local
+/// minima of the distance, each once. Joints are not self-intersections.
 ///
 /// @param other NULL: self-intersections.
 /// @param within a length, finite, 0 if other is NULL; in space raised to 1e-12 of the curves'
 ///     size.
-/// @param places overlaps are parts that are common, stay within the distance, or cannot be
-///     separated.
+/// @param places overlaps are common, stay within the distance, or cannot be separated.
 /// @errors OUT_OF_RANGE (within), CURVE_NOT_PLANE (other is NULL), EMPTY_CURVE (in space, or within
 ///     is not 0)
 /// @complexity Bounded for each pair of segments whose boxes are within the distance.
@@ -168,18 +166,18 @@ pub unsafe extern "C" fn gusset_curve_intersect_create(
     })
 }
 
-/// Finds all points where the tangent of a curve makes an angle with a direction.
+/// Finds all points where a curve's tangent makes an angle with a direction.
 ///
-/// Each point is found once. At a cusp, tangents on both sides count, to 1e-6; at a joint, tangents
-/// of both segments, not those between. Angles within 1e-7 of 0, pi / 2 and pi are set to them.
-/// Tangents are parallel to the direction, or opposite, to 1e-9.
+/// Each point is found once. At a cusp, tangents on both sides count, to 1e-6; at a joint, of both
+/// segments, not between. Angles within 1e-7 of 0, pi / 2 and pi are set to them. Tangents are
+/// parallel to the direction, or opposite, to 1e-9.
 ///
-/// @param direction x, y, z, not 0.
+/// @param direction not 0.
 /// @param angle 0 to pi.
-/// @param places overlaps are parts with a constant angle, such as straight segments.
+/// @param places overlaps have a constant angle.
 /// @errors OUT_OF_RANGE (direction, angle), NOT_FINITE (direction)
 /// @complexity O(points + degree^2 places).
-/// @source Leus, "Carcasses on smooth surfaces", task b, for curves.
+/// @source Leus, task b, for curves.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_tangent_angle_create(
@@ -235,8 +233,6 @@ pub unsafe extern "C" fn gusset_places_destroy(places: *mut gusset_places) {
 }
 
 /// Lends the places.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_places_get_view(

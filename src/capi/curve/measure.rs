@@ -45,26 +45,25 @@ pub const GUSSET_CURVE_MEASURE_MOMENTS: gusset_curve_measure_flags = 16;
 pub struct gusset_curve_measures {
     /// sizeof(gusset_curve_measures).
     pub struct_size: usize,
-    /// Measures that are present; all other fields are 0.
+    /// Present measures; all else is 0.
     pub defined: gusset_curve_measure_flags,
     /// 0.
     pub reserved: u32,
     /// Arc length without the chord.
     pub length: f64,
-    /// Least x, y, z of the bounding box.
+    /// Low corner of the bounding box.
     pub low: [f64; 3],
-    /// Greatest x, y, z of the bounding box.
+    /// High corner.
     pub high: [f64; 3],
     /// Mean of the points by arc length.
     pub centre: [f64; 3],
-    /// Half the integral of r x dr. In the plane z = 0 it is (0, 0, signed area), negative for
-    /// clockwise curves.
+    /// Half the integral of r x dr; in the plane z = 0, (0, 0, signed area), negative if clockwise.
     pub area_vector: [f64; 3],
     /// Length of area_vector: area of the largest shadow.
     pub area: f64,
-    /// Centroid of the enclosed region; the curve's start if the area is 0.
+    /// Centroid of the region; the start if the area is 0.
     pub centroid: [f64; 2],
-    /// Integrals of x x, x y and y y about the centroid, with the area's sign.
+    /// Integrals of x x, x y and y y about it, with the area's sign.
     pub second: [f64; 3],
 }
 
@@ -96,11 +95,11 @@ fn room<'a, T>(
 /// NULL outputs are not computed. After an error, nothing is written.
 ///
 /// @param order highest derivative, 0 to 64; read only with `derivatives`.
-/// @param derivatives receives 3 (order + 1) count numbers: for each place the point x, y, z, then
-///     the derivatives by t in order; 0 beyond the degree.
-/// @param tangents receives 3 count numbers: unit tangents x, y, z; 0 on a segment without extent.
-/// @param curvatures receives count numbers, 1 / radius. On plane segments, positive if turning
-///     from x to y. Infinite where the first derivative is 0.
+/// @param derivatives receives 3 (order + 1) count numbers: for each place the point, then
+///     derivatives by t in order; 0 beyond the degree.
+/// @param tangents receives count unit tangents; 0 on a segment without extent.
+/// @param curvatures receives count numbers, 1 / radius, on plane segments positive if turning from
+///     x to y. Infinite where the first derivative is 0.
 /// @errors NO_SUCH_ELEMENT (place), OUT_OF_RANGE (order)
 /// @complexity O(degree^2) a place and output.
 #[unsafe(no_mangle)]
@@ -136,10 +135,10 @@ pub unsafe extern "C" fn gusset_curve_evaluate(
     })
 }
 
-/// Finds the nearest point of a curve for each given point.
+/// Finds the nearest point for each given point.
 ///
-/// @param points x, y, z of each point, packed, finite.
-/// @param out receives count results.
+/// @param points finite.
+/// @param out receives count answers.
 /// @errors EMPTY_CURVE, NOT_FINITE, TOO_LARGE
 /// @complexity About O(log segments + degree^2) a point, parallel.
 #[unsafe(no_mangle)]
@@ -161,7 +160,7 @@ pub unsafe extern "C" fn gusset_curve_nearest(
     })
 }
 
-/// Computes the arc lengths from the start of a curve to places.
+/// Computes arc lengths from the start to places.
 ///
 /// @param out receives count lengths.
 /// @errors NO_SUCH_ELEMENT (place)
@@ -187,10 +186,10 @@ pub unsafe extern "C" fn gusset_curve_lengths_at(
     })
 }
 
-/// Finds the places at arc lengths from the start of a curve, clamped to its ends.
+/// Finds the places at arc lengths from the start, clamped to the ends.
 ///
 /// @param out receives count places.
-/// @param lengths count arc lengths from the start.
+/// @param lengths arc lengths.
 /// @errors EMPTY_CURVE, OUT_OF_RANGE (NaN)
 /// @complexity O(points + count log segments).
 #[unsafe(no_mangle)]
@@ -215,9 +214,8 @@ pub unsafe extern "C" fn gusset_curve_places_at(
 
 /// Measures a curve.
 ///
-/// `defined` lacks the flag of an undefined measure. The length is accurate to 1e-13, the centre is
-/// computed from 16 chords a segment. All others, and lengths up to degree 2, are exact except for
-/// rounding.
+/// `defined` lacks undefined measures. The length is accurate to 1e-13, the centre comes from 16
+/// chords a segment. All others, and lengths up to degree 2, are exact up to rounding.
 ///
 /// @param flags 0: all.
 /// @complexity O(points) for length and bounds, otherwise O(sum of degree^2).

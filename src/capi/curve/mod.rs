@@ -1,4 +1,4 @@
-//! Curves: Curves of Bezier segments, and places on them. Input arrays may have any alignment.
+//! Curves: Curves of Bezier segments, and places on them.
 //!
 //! @source Textbook properties of Bezier curves: Bernstein bases, de Casteljau, hodographs.
 
@@ -46,15 +46,14 @@ pub struct gusset_place {
 pub struct gusset_curve_view {
     /// sizeof(gusset_curve_view).
     pub struct_size: usize,
-    /// x, y, z of control points; z is 0 for a plane curve.
+    /// Control points; z is 0 for a plane curve.
     /// @shape control_count 3
     pub controls: *const f64,
     /// Number of control points.
     pub control_count: usize,
-    /// 0, then the index of each segment's last control point: segment k has the control points
-    /// ends[k] to ends[k + 1].
+    /// Segment k has the control points ends[k] to ends[k + 1].
     pub ends: gusset_indices,
-    /// 1: the curve is closed.
+    /// 1 if closed.
     /// @flag
     pub closed: u32,
     /// 0.
@@ -115,9 +114,9 @@ pub(crate) fn write(points: &[DVec3], out: &mut [f64]) {
 
 /// Makes a curve from its control points.
 ///
-/// Segments have degree 1 to 64. Coordinates are finite.
+/// Segments have degree 1 to 64; coordinates are finite.
 ///
-/// @param controls x, y or x, y, z of each control point, packed.
+/// @param controls x, y or x, y, z of each control point.
 /// @param control_count at most 2^30; 0: no segments, and ends is {0}.
 /// @param dimension 2 or 3.
 /// @param ends 0, then the rising index of each segment's last control point; the last is
@@ -157,8 +156,6 @@ pub unsafe extern "C" fn gusset_curve_destroy(curve: *mut gusset_curve) {
 }
 
 /// Lends the control points.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_get_view(

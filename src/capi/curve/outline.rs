@@ -1,4 +1,4 @@
-//! Outlines: Curves through given points: the inverse problem of Bezier curves.
+//! Outlines: Curves through given points.
 //!
 //! @source Nadopta.
 
@@ -36,28 +36,28 @@ pub struct gusset_constraint {
     pub point: u32,
     /// Demand on a curve at a point.
     pub kind: gusset_constraint_kind,
-    /// x, y, z (z = 0 for plane outlines), or an angle, 0, 0.
+    /// A vector (z = 0 for plane outlines), or an angle, 0, 0.
     pub tangent: [f64; 3],
 }
 
-/// Outlines in arrays of the caller, borrowed without a copy, at any alignment.
+/// Outlines in arrays of the caller.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_outlines {
     /// sizeof(gusset_outlines).
     pub struct_size: usize,
-    /// Doubles x, y or x, y, z at the start of every point_stride bytes; finite.
+    /// Doubles x, y or x, y, z at every stride; finite.
     pub points: *const c_void,
     /// Bytes from point to point; 0: no gaps.
     pub point_stride: usize,
     /// Points of all outlines, at most 2^30.
     pub point_count: usize,
-    /// outline_count + 1 offsets of outlines into points, from 0, not decreasing. NULL with
-    /// outline_count 0: one outline of all points.
+    /// outline_count + 1 offsets into points, from 0, not decreasing. NULL with outline_count 0:
+    /// one outline.
     pub offsets: *const u32,
     /// Number of outlines.
     pub outline_count: usize,
-    /// Ascending by point, at most one for each; or NULL. The first of merged points counts.
+    /// Ascending by point, at most one each; or NULL. The first of merged points counts.
     pub constraints: *const gusset_constraint,
     /// Number of constraints.
     pub constraint_count: usize,
@@ -91,9 +91,9 @@ pub struct gusset_outline_view {
     pub struct_size: usize,
     /// Number of outlines.
     pub outline_count: usize,
-    /// Points of all outlines.
+    /// Number of points.
     pub point_count: usize,
-    /// x, y, z of each control point; z = 0 for plane outlines.
+    /// Control points; z = 0 for plane outlines.
     /// @shape control_count 3
     pub controls: *const f64,
     /// Number of control points.
@@ -103,7 +103,7 @@ pub struct gusset_outline_view {
     /// 2 outline_count + 2 offsets.
     /// @shape outline_count+1 2
     pub starts: *const usize,
-    /// Segment of each point, in its curve.
+    /// Segment of each point.
     pub segments: gusset_indices,
     /// Parameter of each point in its segment, 0 to 1.
     /// @shape point_count
@@ -122,8 +122,7 @@ pub struct gusset_outline_report {
     pub struct_size: usize,
     /// Outcome of an outline.
     pub fit: gusset_fit_status,
-    /// Largest number of sweeps or iterations between corners, at most max_sweeps; 0 if none are
-    /// needed.
+    /// Most sweeps or iterations between corners, at most max_sweeps.
     pub iterations: u32,
     /// Steps of GUSSET_SOLVER_STEP.
     pub steps: u64,
@@ -135,11 +134,11 @@ pub struct gusset_outline_report {
     /// Largest sine of the angle between tangents at a smooth joint.
     pub max_joint_sine: f64,
     /// GUSSET_JOINT_PARAMETER_G2: largest difference of curvatures at a joint, relative to the
-    /// larger, or to 1 / size if both are less. Else 0.
+    /// larger, at least to 1 / size. Else 0.
     pub max_curvature_gap: f64,
     /// Largest move of a control point in the last iteration.
     pub last_move: f64,
-    /// Points with a status other than GUSSET_POINT_OK.
+    /// Points that are not GUSSET_POINT_OK.
     pub not_ok_count: u32,
     /// 0.
     pub reserved: u32,
@@ -202,14 +201,13 @@ fn constraint(bytes: &[u8]) -> Result<Constraint, Failure> {
 
 /// Fits a Bézier curve through the points of each outline.
 ///
-/// If a constraint at a point cannot be met, the point's status says so. The curve still passes
-/// through the point if possible.
+/// If a constraint cannot be met, the point's status says so; the curve still passes through the
+/// point if possible.
 ///
 /// @errors OUT_OF_RANGE (an option or the dimension), BAD_STRIDE, BAD_OFFSETS, TOO_LARGE,
-///     NOT_FINITE (point), NO_SUCH_ELEMENT (constraint: its point does not exist or is out of
-///     order)
-/// @complexity O(points) for composite, blended and cubic curves. With GUSSET_JOINT_PARAMETER_G2,
-///     takes about 1,500 bytes for each point of the largest outline, besides the result.
+///     NOT_FINITE (point), NO_SUCH_ELEMENT (constraint: no such point, or out of order)
+/// @complexity O(points) for composite, blended and cubic curves. GUSSET_JOINT_PARAMETER_G2 takes
+///     about 1,500 bytes a point of the largest outline, besides the result.
 /// @source T. Nadopta (see the README).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -233,8 +231,6 @@ pub unsafe extern "C" fn gusset_outline_destroy(outline: *mut gusset_outline) {
 }
 
 /// Lends the curves.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_get_view(
@@ -257,9 +253,8 @@ pub unsafe extern "C" fn gusset_outline_get_view(
 
 /// Reports on one outline.
 ///
-/// @param index an outline, from 0.
+/// @param index an outline.
 /// @errors NO_SUCH_ELEMENT
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_get_report(
@@ -285,9 +280,9 @@ pub unsafe extern "C" fn gusset_outline_get_report(
     })
 }
 
-/// Copies the curve of one outline, for example for gusset_curve_measure.
+/// Copies the curve of one outline.
 ///
-/// @param index an outline, from 0.
+/// @param index an outline.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(segments).
 #[unsafe(no_mangle)]
@@ -303,21 +298,20 @@ pub unsafe extern "C" fn gusset_outline_curve_create(
     })
 }
 
-/// Finds the section of each point: the quadratic through it and its neighbours with its control
-/// point on the method's guide.
+/// Finds the section of each point, with its control point on the method's guide.
 ///
 /// A tangent constraint sets the section's direction at its point; at the end of an open outline,
-/// the direction of the neighbour's section there. If it fails, the method applies; if the normal
-/// fails, the bisector. The status says so.
+/// of the neighbour's section there. If it fails, the method applies; if the normal fails, the
+/// bisector. The status says so.
 ///
-/// @param options method, alpha and solver are read; tolerance and max_steps with
-///     GUSSET_SOLVER_STEP. All must be valid.
-/// @param controls receives x, y, z of each section's control point; ends of open outlines receive
-///     their own point. May be NULL.
-/// @param parameters receives each point's parameter on its section; 0 and 1 at ends of open
-///     outlines. May be NULL.
-/// @param statuses receives the gusset_point_status of each point; may be NULL.
-/// @param steps receives the steps of GUSSET_SOLVER_STEP over all sections; may be NULL.
+/// @param options only method, alpha and solver, and with GUSSET_SOLVER_STEP tolerance and
+///     max_steps; all must be valid.
+/// @param controls receives the control points, at ends of open outlines their own points; may be
+///     NULL.
+/// @param parameters receives each point's parameter on its section, 0 and 1 at ends of open
+///     outlines; may be NULL.
+/// @param statuses receives the gusset_point_status of each point, or NULL.
+/// @param steps receives the steps of GUSSET_SOLVER_STEP over all sections, or NULL.
 /// @errors as gusset_outline_create
 /// @complexity O(n); no memory.
 /// @source Nadopta; B = P + (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C - A) of the

@@ -35,8 +35,7 @@ pub struct gusset_facing_options {
     pub run: gusset_facing_run,
     /// Source of the tolerance.
     pub tolerance_mode: gusset_tolerance_mode,
-    /// Facing vertices are farther than this from the plane of their loop. In the unit of the
-    /// points; finite, at least 0.
+    /// As in gusset_stitch_options.
     /// @when tolerance_mode GUSSET_TOLERANCE_GIVEN
     pub tolerance: f64,
     /// Centre of a loop.
@@ -55,17 +54,16 @@ pub struct gusset_facing_view {
     pub centre: [[f64; 3]; 2],
     /// Normals C_2 - C_1 and C_1 - C_2 of the planes, equations 6 and 7.
     pub normal: [[f64; 3]; 2],
-    /// Distance of each vertex from the plane of its loop, positive towards the other loop.
+    /// Signed distance of each vertex from its plane, positive towards the other loop.
     /// @shape counts
     pub distances: [*const f64; 2],
-    /// First index and number of vertices of each run of facing vertices, alternating. A run may
-    /// pass the end of the loop.
+    /// First index and length of each run of facing vertices, alternating; a run may pass the
+    /// loop's end.
     /// @shape * 2
     pub runs: [gusset_indices; 2],
-    /// First index and number of vertices of the chosen run, as arc_a and arc_b of
-    /// gusset_stitch_options.
+    /// The chosen run, as arc_a and arc_b of gusset_stitch_options.
     pub taken: [[u32; 2]; 2],
-    /// Number of vertices of each loop.
+    /// Vertices of each loop.
     pub counts: [usize; 2],
 }
 
@@ -91,12 +89,12 @@ pub(crate) fn points(data: *const f64, count: usize, name: &'static str) -> Resu
 
 /// Finds the vertices of two loops that face each other.
 ///
-/// @param points_a packed x, y, z of count_a vertices in order, at least 1.
+/// @param points_a count_a vertices in order, at least 1.
 /// @param points_b as points_a.
 /// @errors LOOP_TOO_SHORT, TOO_LARGE, NOT_FINITE, OUT_OF_RANGE, PLANES_UNDECIDED (the centres
-///     coincide, or no vertex of a loop exceeds the tolerance, as with coaxial rims)
-/// @complexity O((N + M) log M); memory linear.
-/// @source Nesterenko, algorithm 2, equations 5-7, with a tolerance, and runs instead of subsets.
+///     coincide, or no vertex of a loop exceeds the tolerance)
+/// @complexity O((N + M) log M).
+/// @source Nesterenko, algorithm 2, equations 5-7.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_facing_create(
@@ -126,8 +124,6 @@ pub unsafe extern "C" fn gusset_facing_destroy(facing: *mut gusset_facing) {
 }
 
 /// Lends the facing vertices.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_facing_get_view(
@@ -150,11 +146,11 @@ pub unsafe extern "C" fn gusset_facing_get_view(
 ///
 /// @param n segments of the longer polyline: N - 1 if open with N vertices, N if closed.
 /// @param m segments of the other polyline, at most n (OUT_OF_RANGE).
-/// @param j receives n + 1 numbers; NULL with capacity 0 asks for the count.
+/// @param j receives n + 1 numbers.
 /// @param written receives the count.
-/// @errors OUT_OF_RANGE, BUFFER_TOO_SMALL (only the count is written)
+/// @errors OUT_OF_RANGE, BUFFER_TOO_SMALL
 /// @complexity O(n).
-/// @source Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)), without the products.
+/// @source Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_meridians_index(

@@ -1,4 +1,4 @@
-//! Options of joining: Which borders are joined, and how.
+//! Options of joining: Which borders are joined.
 
 use crate::assemble::{MaxGap, Options, Overlaps, Selector};
 use crate::capi::glue::{fixed, versioned};
@@ -28,13 +28,13 @@ pub const GUSSET_WELDING_EDGE_TO_EDGE: gusset_welding = 2;
 
 /// Widest gap to close.
 pub type gusset_gap = u32;
-/// Limits by size. The width of a gap is the mean distance from a loop to the nearest points of the
-/// other, the larger of both.
+/// The width of a gap is the larger mean distance from either loop to the nearest points of the
+/// other.
 /// - Whole loops: a fifth of the larger component's extent along an axis, or the smaller mean
-///   radius if more. The mean radius is the mean distance of the vertices from their centre. The
-///   only two loops, on two pieces, are always joined.
+///   radius (mean distance from the loop's centre) if more. The only two loops, on two pieces, are
+///   always joined.
 /// - Runs of loops: half the smaller mean radius, and at most 4 mean edges of the coarser loop.
-/// - Slits (see gusset_joint): half the mean radius, and at most one mean edge.
+/// - Slits: half the mean radius, and at most one mean edge.
 /// - Trimmed pieces: 2.5 mean edges of the coarsest, or 4 if a part would be left alone.
 pub const GUSSET_GAP_AUTO: gusset_gap = 0;
 
@@ -46,8 +46,8 @@ pub type gusset_overlaps = u32;
 /// Overlapping pieces stay unchanged.
 pub const GUSSET_OVERLAPS_KEEP: gusset_overlaps = 0;
 
-/// One piece of each overlap is kept, as by gusset_trim_create, and the gaps are closed. Strips
-/// that would intersect other faces are left to hole filling.
+/// One piece of each overlap is kept, as by gusset_trim_create, and gaps are closed. Strips that
+/// would intersect other faces are left to hole filling.
 pub const GUSSET_OVERLAPS_TRIM: gusset_overlaps = 1;
 
 /// Two loops of the pieces.
@@ -69,8 +69,7 @@ pub struct gusset_join_options {
     /// Treatment of coincident borders.
     pub weld: gusset_welding,
     /// GUSSET_ORIENTATION_FIX reverses the minority of faces in each component, then components
-    /// against the ones that they face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores
-    /// outward.
+    /// against those that they face. GUSSET_ORIENTATION_KEEP reverses nothing, and ignores outward.
     /// @values GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP
     pub orientation: gusset_orientation,
     /// Widest gap to close.
@@ -84,36 +83,35 @@ pub struct gusset_join_options {
     /// 1 fills the remaining holes.
     /// @flag
     pub fill: u32,
-    /// Widest gap to close, in the unit of the positions, finite, at least 0; 0 closes none.
+    /// Widest gap to close, finite, at least 0; 0 closes none.
     /// @when gap GUSSET_GAP_GIVEN
     pub max_gap: f64,
-    /// Pairs of whole loops to join at any distance, or NULL. A pair names two loops, or a slit
-    /// twice (see gusset_joint). No loop is in two pairs.
+    /// Pairs of whole loops to join at any distance, or NULL. A pair is two loops, or a slit twice
+    /// (see gusset_joint). No loop is in two pairs.
     /// @shape pair_count
     pub pairs: *const gusset_loop_pair,
     /// Number of pairs.
     pub pair_count: usize,
-    /// Pairs not to join, or NULL; pairs takes precedence. A vertex that is on no loop after
-    /// welding excludes nothing.
+    /// Pairs not to join, or NULL; pairs takes precedence. Vertices on no loop after welding
+    /// exclude nothing.
     /// @shape excluded_count
     pub excluded: *const gusset_loop_pair,
     /// Number of excluded pairs.
     pub excluded_count: usize,
-    /// Options of welding; NULL for the defaults.
+    /// Options of welding.
     pub weld_options: *const gusset_weld_options,
-    /// Options of strips; NULL for the defaults. Only meridians, search, start, rows, row_count,
-    /// cells, fairing, intersections and finish are used; all must be valid.
+    /// Options of strips: only meridians, search, start, rows, row_count, cells, fairing,
+    /// intersections and finish are used; all must be valid.
     pub strip_options: *const gusset_stitch_options,
-    /// Options of filling; NULL for the defaults. groups, outward and plan_only are ignored, but
-    /// outward and plan_only must be valid. GUSSET_INTERSECTIONS_REPORT acts as
-    /// GUSSET_INTERSECTIONS_IGNORE.
+    /// Options of filling. Ignores groups, outward and plan_only; the last two must be valid.
+    /// GUSSET_INTERSECTIONS_REPORT acts as GUSSET_INTERSECTIONS_IGNORE.
     pub fill_options: *const gusset_fill_options,
-    /// Side that closed components face, by default outwards, walls of cavities included. Other
-    /// components mostly keep the orientation of the first piece.
+    /// Closed components face outwards by default. Others mostly keep the first piece's
+    /// orientation.
     pub outward: gusset_outward,
     /// Treatment of overlapping pieces.
     pub overlaps: gusset_overlaps,
-    /// Options of trimming; NULL for the defaults.
+    /// Options of trimming.
     /// @when overlaps GUSSET_OVERLAPS_TRIM
     pub trim_options: *const gusset_trim_options,
 }

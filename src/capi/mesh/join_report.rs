@@ -56,42 +56,41 @@ pub const GUSSET_LEFT_TAKEN: gusset_left_reason = 7;
 /// The pair with the nearest loop is excluded.
 pub const GUSSET_LEFT_EXCLUDED: gusset_left_reason = 8;
 
-/// Indices of a piece in the result.
+/// Indices of a piece's elements in the result, UINT32_MAX if removed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_piece_map {
-    /// Index in the result of each vertex, or UINT32_MAX if removed; several may share one.
+    /// Index of each vertex; several may share one.
     pub vertices: gusset_indices,
-    /// Index in the result of each face, or UINT32_MAX if removed. A split triangle has the index
-    /// of its first part; the others follow.
+    /// Index of each face; for a split triangle, of its first part, which the others follow.
     pub faces: gusset_indices,
 }
 
-/// Two loops, or runs of loops, that face each other across a gap.
+/// Two loops, or runs of loops, that face each other. Indices are in the result.
 ///
-/// If borders coincide along a part only, sewing leaves a slit: a loop along the rest of both
-/// borders. A slit may be joined with itself. Then both sides are on it, one with both ends; whole
-/// is 0, and the strip lacks interior rows.
+/// If borders coincide in part, sewing leaves a slit: a loop along the rest of both. In a slit
+/// joined with itself, both sides are on it, one with both ends; whole is 0, and the strip lacks
+/// interior rows.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_joint {
-    /// Vertices of each side in the result, in order, before components are turned outwards. If
-    /// joined, the sides run together from the first meridian on.
+    /// Vertices of each side in order, before components are turned outwards. If joined, both run
+    /// from the first meridian on.
     pub side: [gusset_indices; 2],
     /// Mean width of the gap.
     pub gap: f64,
-    /// First new vertex in the result.
+    /// First new vertex.
     pub vertex_first: usize,
-    /// New vertices.
+    /// Number of new vertices.
     pub vertex_count: usize,
-    /// First face of the strip in the result.
+    /// First face of the strip.
     pub face_first: usize,
-    /// Faces of the strip.
+    /// Number of faces.
     pub face_count: usize,
-    /// Pairs of intersecting faces, two indices each, as in gusset_stitch_report.
+    /// Pairs of intersecting faces, as in gusset_stitch_report.
     /// @shape * 2
     pub intersections: gusset_indices,
-    /// 1 if intersections were searched for.
+    /// 1 if searched for.
     /// @flag
     pub intersections_known: u32,
     /// Outcome of a joint.
@@ -99,19 +98,19 @@ pub struct gusset_joint {
     /// 1 if both sides are whole loops.
     /// @flag
     pub whole: u32,
-    /// Surface that was made; a strip may replace a blend.
+    /// Surface made; a strip may replace a blend.
     pub finish: gusset_finish,
 }
 
-/// Boundary loop of the sewn pieces without a strip, even if filled later; see holes.
+/// Boundary loop of the sewn pieces without a strip, even if filled later.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_left_loop {
     /// Vertices in the result, in order.
     pub vertices: gusset_indices,
     /// Mean distance to the loop nearest to most vertices, on another component if any. Infinite
-    /// without one, or if this loop cannot carry a strip. For a slit that is too wide, the mean
-    /// distance of its sides.
+    /// without one, or if this loop cannot carry a strip. For a slit too wide: mean distance of its
+    /// sides.
     pub gap: f64,
     /// Largest gap that could be joined; 0 without another loop.
     pub allowed_gap: f64,
@@ -137,7 +136,7 @@ pub struct gusset_join_report {
     pub joints: *const gusset_joint,
     /// Number of joints.
     pub joint_count: usize,
-    /// Loops without a strip, even if filled later, by smallest vertex.
+    /// Loops without a strip, by smallest vertex.
     /// @shape left_count
     pub left: *const gusset_left_loop,
     /// Number of loops.
@@ -147,10 +146,10 @@ pub struct gusset_join_report {
     pub holes: *const gusset_hole,
     /// Number of holes.
     pub hole_count: usize,
-    /// Vertices of the rims of holes, in the order before components are turned outwards.
+    /// Rim vertices of holes, in the order before components are turned outwards.
     pub hole_rims: gusset_indices,
-    /// Faces of pieces, by index in the result, that are reversed against their pieces. New faces
-    /// are never listed; they agree with the faces beside them.
+    /// Old faces reversed against their pieces, by index in the result. New faces agree with the
+    /// faces beside them.
     pub turned: gusset_indices,
     /// A face of each non-orientable component.
     pub one_sided: gusset_indices,
@@ -163,7 +162,7 @@ pub struct gusset_join_report {
     pub sewn_edges: u32,
     /// Boundary loops of the result.
     pub loops_left: u32,
-    /// Edges of the result with three or more faces.
+    /// Non-manifold edges of the result.
     pub non_manifold_edges: u32,
     /// Points at which boundary edges were split.
     pub splits: u32,

@@ -1,4 +1,5 @@
-//! Meshes: Views of polygon meshes in memory of the caller or of a result.
+//! Meshes: Polygon meshes in memory of the caller or of a result. An edge with one face is a
+//! boundary edge, with three or more a non-manifold edge. Memory is linear unless stated.
 
 pub mod result;
 pub mod join;
@@ -32,17 +33,17 @@ use crate::mesh::{Faces, MAX_ELEMENTS, Mesh, MeshView, PositionBuffer, Positions
 use gusset_base::alloc;
 use std::ffi::c_void;
 
-/// The type of coordinates.
+/// Type of coordinates.
 pub type gusset_scalar = u32;
 /// 32-bit floats.
 pub const GUSSET_F32: gusset_scalar = 1;
 /// 64-bit floats.
 pub const GUSSET_F64: gusset_scalar = 2;
-/// The type of indices.
+/// Type of indices.
 pub type gusset_index = u32;
 /// 32-bit unsigned integers.
 pub const GUSSET_U32: gusset_index = 0;
-/// Reserved; returns GUSSET_ERROR_UNKNOWN_VALUE.
+/// Reserved: GUSSET_ERROR_UNKNOWN_VALUE.
 pub const GUSSET_U64: gusset_index = 1;
 
 /// Array of indices.
@@ -55,13 +56,12 @@ pub struct gusset_indices {
     pub count: usize,
 }
 
-/// Polygon mesh in the caller's arrays (input), or in the arrays of a result (output). Input arrays
-/// may have any alignment, and must not change during the call; their lengths are not checked.
-/// Counts are checked before elements. An output has packed positions, face_offsets, and face_size
-/// 0. An input has
-/// - at least one vertex and one face (EMPTY_MESH),
+/// Polygon mesh in arrays of the caller (input) or of a result (output). Input arrays must not
+/// change during the call; their lengths are not checked. Counts are checked before elements.
+/// Outputs have packed positions, face_offsets, and face_size 0. Inputs have
+/// - a vertex and a face (EMPTY_MESH),
 /// - at most 2^32 - 2 vertices, and as many corners (TOO_LARGE),
-/// - at least 3 corners in each face (FACE_TOO_SMALL),
+/// - at least 3 corners a face (FACE_TOO_SMALL),
 /// - indices below vertex_count (INDEX_OUT_OF_RANGE),
 /// - finite coordinates at vertices of faces (NOT_FINITE),
 /// - a valid layout (BAD_STRIDE, BAD_FACE_LAYOUT, BAD_OFFSETS, BAD_MERGE).
@@ -70,7 +70,7 @@ pub struct gusset_indices {
 pub struct gusset_mesh_view {
     /// sizeof(gusset_mesh_view).
     pub struct_size: usize,
-    /// x, y, z at the start of each stride.
+    /// x, y, z at each stride.
     pub positions: *const c_void,
     /// Bytes from one position to the next; 0 if packed.
     pub position_stride: usize,
@@ -85,16 +85,16 @@ pub struct gusset_mesh_view {
     pub face_count: usize,
     /// GUSSET_F32 or GUSSET_F64; must be set, as 0 is invalid.
     pub scalar: gusset_scalar,
-    /// The type of indices.
+    /// Type of indices.
     pub index: gusset_index,
     /// Corners of every face, or 0 with face_offsets.
     pub face_size: u32,
     /// 0.
     pub reserved: u32,
-    /// Representative of each vertex, itself or another vertex; or NULL. Vertices with the same
-    /// representative are one vertex of the surface, so texture seams are not borders; see
-    /// gusset_mesh_find_merge. A representative represents itself, and its position counts. Results
-    /// list representatives; their faces keep the given vertices.
+    /// Representative of each vertex, or NULL. Vertices with one representative are one vertex of
+    /// the surface, so texture seams are not borders; see gusset_mesh_find_merge. A representative
+    /// represents itself, and its position counts. Results list representatives; their faces keep
+    /// the given vertices.
     pub merge: *const c_void,
 }
 

@@ -22,8 +22,8 @@ use crate::repair::weld::Weld;
 use crate::stitch::{Quality, Ruled, Stitch};
 use crate::surface::SurfaceMesh;
 
-/// Mesh made by an operation, such as gusset_join, with its report, such as gusset_result_get_join
-/// lends.
+/// Mesh made by an operation, and its report. Only the getter of this report accepts it; the others
+/// return WRONG_HANDLE.
 pub struct gusset_result(pub(crate) Made);
 
 handle! { gusset_result }
@@ -111,28 +111,28 @@ macro_rules! report {
 }
 pub(crate) use report;
 
-/// Quality of the new faces of a stitch or a filling, and of the whole result.
+/// Quality of new faces and the result.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_quality_report {
     /// sizeof(gusset_quality_report).
     pub struct_size: usize,
-    /// Smallest angle of new triangles, in radians; 0 if one is degenerate.
+    /// Smallest angle of new triangles; 0 if one is degenerate.
     pub min_angle: f64,
     /// Largest aspect ratio of new triangles, longest side / (2 sqrt(3) inradius): 1 if
     /// equilateral, infinite if degenerate.
     pub max_aspect: f64,
-    /// Longest edge of new faces, in the unit of the positions.
+    /// Longest edge of new faces.
     pub max_edge: f64,
-    /// Area of new faces, in the square of that unit.
+    /// Area of new faces.
     pub area: f64,
     /// New triangles of area 0.
     pub degenerate_faces: u32,
     /// Boundary loops of the result.
     pub loops_left: u32,
-    /// Edges of the result with three or more faces.
+    /// Non-manifold edges of the result.
     pub non_manifold_edges: u32,
-    /// Edges of the result whose two faces disagree in orientation.
+    /// Edges whose two faces disagree in orientation.
     pub orientation_conflicts: u32,
 }
 
@@ -161,8 +161,6 @@ pub unsafe extern "C" fn gusset_result_destroy(result: *mut gusset_result) {
 }
 
 /// Lends the mesh.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_mesh(
@@ -172,10 +170,9 @@ pub unsafe extern "C" fn gusset_result_get_mesh(
     lend!(result, view, |result| mesh::lend(result.0.mesh()))
 }
 
-/// Reports the quality of a result of gusset_stitch or gusset_fill.
+/// Reports the quality of a stitch or filling.
 ///
-/// @errors WRONG_HANDLE (another operation made the result)
-/// @complexity O(1).
+/// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_quality(
@@ -189,21 +186,20 @@ pub unsafe extern "C" fn gusset_result_get_quality(
     })
 }
 
-/// Finds the sources of the vertices, corners and faces of a result. The inputs are the meshes,
-/// pieces, net or sheet of the operation, in order:
+/// Finds the sources of a result's vertices, corners and faces in the operation's meshes, pieces,
+/// net or sheet:
 /// - A strip has two polylines; its corners and faces lack sources.
 /// - A corner that gusset_sew added on an edge has the corners of its face at both ends.
-/// - A vertex of a development comes from one vertex; its corners and faces are the ones of the
-///   surface.
-/// - A vertex of the mesh of a net has the first of its nodes, a face its cell. A corner has the
-///   node of its own cell, so both sides of a seam differ.
-/// - A sheet has (rows + 1) * (columns + 1) nodes between its cells, row by row. Vertices and
-///   corners have the nodes of their cell, by parameters; faces have their cells. Where the sheet
-///   closes, corners have the nodes on the side of their face.
+/// - Corners and faces of a development are the surface's; each vertex has one source.
+/// - In the mesh of a net, a vertex has its first node, a face its cell, a corner its own cell's
+///   node: both sides of a seam differ.
+/// - A sheet has (rows + 1) * (columns + 1) nodes, row by row. Vertices and corners have the nodes
+///   of their cell, by parameters; faces have their cells. Where the sheet closes, corners have the
+///   nodes on their face's side.
 ///
 /// @errors TOO_LARGE
-/// @complexity O(H log n) for H corners, n of them of new faces; 16 bytes for each vertex, corner
-///     and face (sheet: 52 for each vertex and corner), plus linear in n.
+/// @complexity O(H log n) for n corners of new faces; 16 bytes an element (sheet: 52 a vertex or
+///     corner), plus linear in n.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_origins_create(

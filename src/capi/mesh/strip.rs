@@ -1,4 +1,4 @@
-//! Strips: Builds a strip of triangles between two polylines that belong to no mesh.
+//! Strips: Builds a strip between two polylines without a mesh.
 //!
 //! @source H. Fuchs, Z. Kedem and S. Uselton (1977); Nesterenko.
 
@@ -30,7 +30,7 @@ pub struct gusset_strip_options {
     /// 1 if the polylines are closed.
     /// @flag
     pub closed: u32,
-    /// Number of interior rows; the mean edge is of both polylines.
+    /// Number of interior rows; mean edges are of both polylines.
     pub rows: gusset_row_rule,
     /// Interior rows.
     /// @when rows GUSSET_ROWS_COUNT
@@ -49,14 +49,14 @@ pub struct gusset_strip_report {
     pub struct_size: usize,
     /// Points of A and B that the first meridian joins.
     pub start: [u32; 2],
-    /// Pairs (i, j) of indices from start on; count is twice their number. Closed polylines of N
-    /// and M points: from (0, 0) to (N, M), where index N is 0 again. Open ones: to (N - 1, M - 1).
+    /// Pairs (i, j) of indices from start on, as in gusset_stitch_report: to (N, M) if closed, else
+    /// to (N - 1, M - 1).
     /// @shape * 2
     pub meridians: gusset_indices,
-    /// The matrix P: vertices of the mesh, row by row from A to B, a column for each meridian.
+    /// The matrix P: vertices row by row from A to B, a column for each meridian.
     /// @shape row_count+2 *
     pub matrix: gusset_indices,
-    /// Ends on A and B of the meridian of each new vertex; new vertices come last.
+    /// Ends on A and B of each new vertex's meridian; new vertices come last.
     /// @shape * 2
     pub parents: gusset_indices,
     /// Weight of each second parent, 0 to 1: k / (r + 1) in row k of r.
@@ -85,16 +85,16 @@ impl gusset_strip_options {
     }
 }
 
-/// Builds a strip of faces between two polylines side by side, as gusset_stitch does between rims.
+/// Builds a strip, as gusset_stitch does between rims.
 ///
 /// The mesh has the points of A, of B, then new ones row by row. Faces run A_i+1, A_i, B_j: against
 /// A, along B. If both sides advance at once, the shorter diagonal splits a quad into triangles.
 ///
-/// @param points_a packed x, y, z of count_a points in order, at least 1; if closed at least 3, the
-///     first not repeated.
+/// @param points_a count_a points in order, at least 1; if closed at least 3, the first not
+///     repeated.
 /// @param points_b as points_a.
 /// @errors LOOP_TOO_SHORT, TOO_LARGE, NOT_FINITE, NO_STRIP
-/// @complexity Meridians as in gusset_stitch, plus linear in the mesh; memory likewise.
+/// @complexity Meridians as in gusset_stitch, plus linear in the mesh; likewise memory.
 /// @source Nesterenko, the intermediate mesh (H, P); Fuchs, Kedem and Uselton (1977) for the best
 ///     strips.
 #[unsafe(no_mangle)]
@@ -118,8 +118,7 @@ pub unsafe extern "C" fn gusset_strip(
 
 /// Lends the report of a strip.
 ///
-/// @errors WRONG_HANDLE (another operation made the result)
-/// @complexity O(1).
+/// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_strip(

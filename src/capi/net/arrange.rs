@@ -16,7 +16,7 @@ pub const GUSSET_DIRECTION_RIGHT: gusset_direction = 0;
 /// From row to row.
 pub const GUSSET_DIRECTION_DOWN: gusset_direction = 1;
 
-/// Rows or columns replicated to enlarge a net.
+/// Replicated rows or columns.
 pub type gusset_replication = u32;
 /// All, as equally as possible.
 pub const GUSSET_REPLICATE_UNIFORM: gusset_replication = 0;
@@ -24,9 +24,9 @@ pub const GUSSET_REPLICATE_UNIFORM: gusset_replication = 0;
 pub const GUSSET_REPLICATE_FIRST: gusset_replication = 1;
 /// The last.
 pub const GUSSET_REPLICATE_LAST: gusset_replication = 2;
-/// The one with the given index.
+/// The one at the given index.
 pub const GUSSET_REPLICATE_AT: gusset_replication = 3;
-/// The first and last in equal shares if both are poles; the pole if one is; else as UNIFORM.
+/// The first and last equally if both are poles; the pole if one is; else as UNIFORM.
 pub const GUSSET_REPLICATE_AT_POLES: gusset_replication = 4;
 /// Different sizes are an error; for gusset_concatenate_options only.
 pub const GUSSET_REPLICATE_REFUSE: gusset_replication = 5;
@@ -50,8 +50,8 @@ pub const GUSSET_NET_TURN_TRANSPOSE: gusset_net_turn = 6;
 /// Exchanges rows and columns, and reverses both.
 pub const GUSSET_NET_TURN_ANTITRANSPOSE: gusset_net_turn = 7;
 
-/// Options of gusset_net_copy_create. Steps: take a part, compact, enlarge, turn, convert.
-/// Defaults: no step.
+/// Options of gusset_net_copy_create. Steps: take a part, compact, enlarge, turn, convert. Default:
+/// none.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_copy_options {
@@ -59,20 +59,19 @@ pub struct gusset_net_copy_options {
     pub struct_size: usize,
     /// First row of the part.
     pub row_first: usize,
-    /// Rows of the part, at least 2; 0: all from row_first on.
+    /// Rows of the part, at least 2; 0: the rest.
     pub row_count: usize,
     /// First column of the part.
     pub column_first: usize,
-    /// Columns of the part, at least 2; 0: all from column_first on.
+    /// Columns of the part, at least 2; 0: the rest.
     pub column_count: usize,
-    /// Rows after replication, at least the present number; 0: no replication. Links between copies
-    /// are contracted.
+    /// Rows after replication, at least the present number; 0: none. Links between copies are
+    /// contracted.
     pub rows: usize,
     /// Columns after replication, likewise.
     pub columns: usize,
-    /// 1: removes rows and columns that repeat the previous one. All links between both are
-    /// contracted; coordinates and links along them are equal. Two rows, two columns and the ends
-    /// of bridges stay.
+    /// 1: removes rows and columns that repeat the previous one: equal coordinates and links,
+    /// contracted links between both. Two rows, two columns and the ends of bridges stay.
     /// @flag
     pub compact: u32,
     /// For rows.
@@ -85,9 +84,9 @@ pub struct gusset_net_copy_options {
     /// Column to replicate.
     /// @when column_replication GUSSET_REPLICATE_AT
     pub column_index: u32,
-    /// Symmetry that is applied.
+    /// Symmetry.
     pub turn: gusset_net_turn,
-    /// Type of coordinates; 0: unchanged. Conversion to float rounds; nodes that overflow become
+    /// Type of coordinates; 0: unchanged. Conversion to float rounds; overflowing nodes become
     /// missing.
     pub scalar: gusset_scalar,
     /// 0.
@@ -146,17 +145,15 @@ impl gusset_net_copy_options {
     }
 }
 
-/// Copies a net with its gluing and bridges: all or a part, compacted, enlarged, turned or
-/// converted.
+/// Copies a net, or a part, with gluing and bridges: compacted, enlarged, turned or converted.
 ///
-/// - An unchanged copy shares memory until either net changes.
-/// - A part keeps links, runs of seams and bridges inside it. Links back to the first row or column
-///   need a part with all rows or columns.
+/// - An unchanged copy shares memory until a net changes.
+/// - A part keeps links, runs of seams and bridges inside it; links back to the first row or column
+///   if it has all rows or columns.
 /// - Without conversion, coordinates keep their bits.
 ///
-/// @errors NET_TOO_SMALL (a part of one row or column), OUT_OF_RANGE (a part or index beyond the
-///     net, or fewer rows or columns than present), CROSSING_CELL (both diagonals of a cell are
-///     glued once gluing outside the part is lost), TOO_LARGE
+/// @errors NET_TOO_SMALL, OUT_OF_RANGE (a part or index beyond the net, or fewer rows or columns
+///     than present), CROSSING_CELL (once gluing outside the part is lost), TOO_LARGE
 /// @complexity O(nodes) for each step; O(1) for an unchanged copy, except in the caller's memory.
 /// @source Deryagin, "Reformatting".
 #[unsafe(no_mangle)]
@@ -177,9 +174,9 @@ pub unsafe extern "C" fn gusset_net_copy_create(
     })
 }
 
-/// Makes nodes missing that have a coordinate equal to value.
+/// Makes nodes with a coordinate equal to value missing.
 ///
-/// @param value marker of missing data.
+/// @param value marks missing data.
 /// @complexity O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]

@@ -18,9 +18,8 @@ fn number(found: Option<GluingType>) -> gusset_gluing_type {
 
 /// Writes for each node the first node of its point.
 ///
-/// @param classes room for capacity numbers, at least rows * columns; NULL and capacity 0 to count.
-/// @param capacity size of classes.
-/// @param written receives the count, also with BUFFER_TOO_SMALL.
+/// @param classes receives rows * columns numbers.
+/// @param written receives the count.
 /// @errors BUFFER_TOO_SMALL
 /// @complexity O(nodes); 4 bytes a node.
 #[unsafe(no_mangle)]
@@ -49,7 +48,7 @@ handle! { gusset_net_groups }
 
 /// Finds the points of several glued nodes.
 ///
-/// @complexity O(rows + columns) if only sides are glued, else O(nodes); and a sort of the glued
+/// @complexity O(rows + columns) if only sides are glued, else O(nodes), plus a sort of glued
 ///     nodes.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -78,8 +77,6 @@ pub struct gusset_net_groups_view {
 versioned! { gusset_net_groups_view: 40 }
 
 /// Lends the groups.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_groups_get_view(
@@ -109,9 +106,9 @@ pub const GUSSET_GLUING_PLACE_CELL: gusset_gluing_place = 1;
 /// Finds the local gluing at a node or cell.
 ///
 /// @param element node or cell.
-/// @param cyclic 1: links of a node back to the first row or column count. 0 or 1.
-/// @param found receives the type; GUSSET_TYPE_NONE for a node without glued links and for a quad.
-///     A node has at most GUSSET_TYPE_ALL.
+/// @param cyclic 1: links back to the first row or column count; else 0.
+/// @param found receives the type, for a node at most GUSSET_TYPE_ALL; GUSSET_TYPE_NONE for a node
+///     without glued links and for a quad.
 /// @errors NO_SUCH_ELEMENT
 /// @complexity O(1) if only sides are glued, else O(nodes).
 /// @source Deryagin, Fig. 4.
@@ -135,10 +132,10 @@ pub unsafe extern "C" fn gusset_net_classify(
     })
 }
 
-/// Counts the local gluings of a net by type.
+/// Counts the local gluings by type.
 ///
-/// @param nodes receives 18 counts of nodes, as for cyclic 0; may be NULL.
-/// @param cells receives 18 counts of cells; may be NULL.
+/// @param nodes receives 18 counts, as for cyclic 0, or NULL.
+/// @param cells receives 18 counts, or NULL.
 /// @complexity O(nodes); 4 bytes a node.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -165,7 +162,7 @@ fn counts<'a>(out: *mut u64, name: &'static str) -> Result<&'a mut [u64], Failur
     input::cleared(out, if out.is_null() { 0 } else { GluingType::COUNT }, name)
 }
 
-/// Local gluing of a net: n(a,b) at a node or c(a,b) at a cell, as in Deryagin's Fig. 4.
+/// Local gluing: n(a,b) at a node or c(a,b) at a cell, as in Deryagin's Fig. 4.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_gluing_occurrence {
@@ -173,19 +170,18 @@ pub struct gusset_gluing_occurrence {
     pub place: gusset_gluing_place,
     /// Node or cell.
     pub element: u32,
-    /// Local gluing (Deryagin, Fig. 4).
+    /// Local gluing of Deryagin's figure 4.
     pub kind: gusset_gluing_type,
-    /// At a node: number of nodes glued to it. At a cell: number of glued links, at most 3; 1 for a
-    /// diagonal.
+    /// At a node: nodes glued to it. At a cell: glued links, at most 3; 1 for a diagonal.
     pub a: u32,
-    /// At a node with two glued links: 1 if adjacent, 2 if opposite. At a cell with two: number of
-    /// other links between them, 0 or 1. For a diagonal: 2. Else UINT32_MAX.
+    /// At a node with two glued links: 1 if adjacent, 2 if opposite. At a cell with two: other
+    /// links between them, 0 or 1. For a diagonal: 2. Else UINT32_MAX.
     pub b: u32,
-    /// Number of nodes united.
+    /// United nodes.
     pub node_order: u32,
-    /// Number of links united; 1 if none.
+    /// United links; 1 if none.
     pub link_order: u32,
-    /// Number of nodes of the point; exceeds node_order where gluings meet, as at a pole.
+    /// Nodes of the point; exceeds node_order where gluings meet.
     pub class_size: u32,
 }
 
@@ -206,14 +202,13 @@ impl From<&Occurrence> for gusset_gluing_occurrence {
     }
 }
 
-/// Writes all local gluings of a net: at its nodes in order, then at its cells.
+/// Writes all local gluings: of nodes in order, then of cells.
 ///
 /// @param cyclic as for gusset_net_classify.
-/// @param found room for capacity gluings; NULL and capacity 0 to count.
-/// @param capacity size of found.
-/// @param written receives the count, also with BUFFER_TOO_SMALL.
+/// @param found receives the gluings.
+/// @param written receives the count.
 /// @errors BUFFER_TOO_SMALL
-/// @complexity O(nodes); 4 bytes a node, and memory for the result.
+/// @complexity O(nodes); 4 bytes a node, and the result.
 /// @source Deryagin, Fig. 4.
 #[unsafe(no_mangle)]
 #[must_use]

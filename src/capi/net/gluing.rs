@@ -12,8 +12,8 @@ use crate::net::{MAX_NODES, Matrix, Seam, Shape, Sides, Topology};
 use gusset_base::alloc;
 use std::ptr;
 
-/// Seam: glues node k of run A to node k of run B. Node k of A is (row_a + k * row_step_a,
-/// column_a + k * column_step_a).
+/// Seam: glues node k of run A, (row_a + k * row_step_a, column_a + k * column_step_a), to node k
+/// of run B.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_seam {
@@ -33,7 +33,7 @@ pub struct gusset_seam {
     pub row_step_b: i32,
     /// As for A.
     pub column_step_b: i32,
-    /// Number of nodes, at least 1; 1 if all steps are 0.
+    /// Nodes, at least 1; 1 if all steps are 0.
     pub count: u32,
     /// 0.
     pub reserved: u32,
@@ -58,7 +58,7 @@ pub const GUSSET_SIDES_POLE_RIGHT: gusset_sides = 32;
 pub const GUSSET_SIDES_SHEET: gusset_sides = 0;
 /// Rows are closed.
 pub const GUSSET_SIDES_TUBE: gusset_sides = 1;
-/// Rows are closed, the first and last are poles: spheres, and cylinders or cones with caps.
+/// Rows are closed, the first and last are poles.
 pub const GUSSET_SIDES_TWO_POLES: gusset_sides = 13;
 /// All four sides are one point.
 pub const GUSSET_SIDES_ONE_POLE: gusset_sides = 60;
@@ -72,8 +72,7 @@ pub struct gusset_net_gluing {
     /// sizeof(gusset_net_gluing).
     pub struct_size: usize,
     /// Characteristic matrix: 2 * rows rows of columns bytes, 1 for a contracted link, else 0. Row
-    /// 2i has the horizontal links of row i, row 2i + 1 the vertical ones. NULL: sides gives all
-    /// links.
+    /// 2i has the horizontal links of row i, row 2i + 1 the vertical ones. NULL: sides.
     pub matrix: *const u8,
     /// Additional seams.
     pub seams: *const gusset_seam,
@@ -81,7 +80,7 @@ pub struct gusset_net_gluing {
     pub seam_count: usize,
     /// Sides; 0 with a matrix.
     pub sides: gusset_sides,
-    /// 1: faces have the opposite orientation.
+    /// 1: opposite orientation of faces.
     pub reversed: u32,
 }
 
@@ -168,7 +167,7 @@ pub(crate) fn topology(shape: Shape, gluing: *const gusset_net_gluing, job: &Job
         .with_reversed(flag(gluing.reversed, "reversed")?))
 }
 
-/// Replaces the gluing of a net; positions stay.
+/// Replaces the gluing; positions stay.
 ///
 /// @param gluing NULL: nothing is glued.
 /// @errors as gusset_net_create
@@ -195,21 +194,19 @@ pub struct gusset_net_gluing_report {
     pub seam_count: usize,
     /// Number of bridges.
     pub bridge_count: usize,
-    /// Sides, if they describe all links; else UINT32_MAX, and the matrix does.
+    /// Sides, if they describe all links; else UINT32_MAX.
     pub sides: gusset_sides,
-    /// 1: faces have the opposite orientation.
+    /// 1: opposite orientation of faces.
     /// @flag
     pub reversed: u32,
 }
 
 versioned! { gusset_net_gluing_report: 40 }
 
-/// Describes the gluing of a net, and writes its characteristic matrix and seams.
+/// Writes the gluing of a net. NULL with capacity 0 skips an array.
 ///
-/// @param matrix room for matrix_capacity bytes, as in gusset_net_gluing; NULL and capacity 0 to
-///     skip.
+/// @param matrix receives the characteristic matrix.
 /// @param matrix_capacity at least matrix_size of the report.
-/// @param seams room for seam_capacity seams; NULL and capacity 0 to skip.
 /// @param seam_capacity at least seam_count of the report.
 /// @errors BUFFER_TOO_SMALL
 /// @complexity O(seams) for seams, O(nodes) for the matrix, else O(1).

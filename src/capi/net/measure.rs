@@ -25,8 +25,8 @@ pub struct gusset_net_measure_report {
     pub struct_size: usize,
     /// Sum of |(c - a) x (d - b)| / 2 for cells a, b, c, d; exact if planar.
     pub area: f64,
-    /// Volume enclosed by a closed two-sided net, positive if normals point outwards. For an open
-    /// net: volume of the cone to the first node.
+    /// Enclosed volume of a closed two-sided net, positive if normals point outwards; else volume
+    /// of the cone to the first node.
     pub volume: f64,
     /// Sum of the cells' area vectors; 0 for closed nets.
     pub area_vector: [f64; 3],
@@ -34,22 +34,22 @@ pub struct gusset_net_measure_report {
     pub low: [f64; 3],
     /// Largest coordinates, likewise.
     pub high: [f64; 3],
-    /// Area of the cells' bilinear patches, up to rounding; exceeds area if cells are not planar.
+    /// Area of the cells' bilinear patches, up to rounding; exceeds area unless cells are planar.
     /// All layers of a folded patch count.
     pub bilinear_area: f64,
     /// Bound of the error of bilinear_area.
     pub bilinear_error: f64,
-    /// Volume of the body that a closed net encloses; negative if normals point inwards.
+    /// Volume of the body in a closed net; negative if normals point inwards.
     pub body_volume: f64,
-    /// Centre of mass of the body; NaN if its volume is 0.
+    /// Centroid of the body; NaN if its volume is 0.
     pub centroid: [f64; 3],
     /// Inertia tensor of the body about its centroid, density 1. Diagonal: integrals of y^2 + z^2
-    /// and so on; else of -x y and so on.
+    /// etc.; else of -x y etc.
     /// @shape 3 3
     pub inertia: [f64; 9],
 }
 
-/// Planarity of the cells of a net.
+/// Planarity of cells.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_planarity_report {
@@ -61,7 +61,7 @@ pub struct gusset_net_planarity_report {
     pub worst_cell: u64,
     /// Mean deviation; NaN without cells.
     pub mean: f64,
-    /// Number of cells above the tolerance.
+    /// Cells above the tolerance.
     pub above: u64,
 }
 
@@ -70,7 +70,7 @@ versioned! {
     gusset_net_planarity_report: 40,
 }
 
-/// Measures areas, volume, bounding box, centroid and inertia of a net.
+/// Measures a net.
 ///
 /// Absent cells do not count. Volumes, centroid and inertia are exact for bilinear cells, up to
 /// rounding. If squares or cubes of coordinates overflow (about 1e77), results are infinite or NaN.
@@ -111,15 +111,14 @@ pub unsafe extern "C" fn gusset_net_measure(
     })
 }
 
-/// Measures the planarity of the cells of a net.
+/// Measures the planarity of cells.
 ///
-/// The deviation of a cell is the distance of its corners from their mean plane, divided by the
-/// longer diagonal. It is 0 for triangles and less, NaN for absent cells.
+/// A cell's deviation is the distance of its corners from their mean plane, divided by the longer
+/// diagonal; 0 for triangles and less, NaN for absent cells.
 ///
-/// @param tolerance at least 0, for above in the report.
-/// @param cells room for capacity deviations, one a cell; NULL and capacity 0 to skip.
-/// @param capacity size of cells.
-/// @param written receives the number of cells, also with BUFFER_TOO_SMALL.
+/// @param tolerance for above in the report, at least 0.
+/// @param cells receives each cell's deviation.
+/// @param written receives the number of cells.
 /// @errors BUFFER_TOO_SMALL, OUT_OF_RANGE (tolerance)
 /// @complexity O(nodes); 8 bytes a cell.
 #[unsafe(no_mangle)]

@@ -22,7 +22,7 @@ use std::ptr;
 pub type gusset_net_faces = u32;
 /// Quads, and triangles where one side of a cell is a point.
 pub const GUSSET_NET_QUADS: gusset_net_faces = 0;
-/// Triangles, cut by the shorter diagonal, or by the other one if that edge exists already.
+/// Triangles, cut by the shorter diagonal, or the other if that edge exists.
 pub const GUSSET_NET_TRIANGLES_SHORTER: gusset_net_faces = 1;
 /// Triangles, cut from (i, j) to (i + 1, j + 1), with the same exception.
 pub const GUSSET_NET_TRIANGLES_FIXED: gusset_net_faces = 2;
@@ -35,7 +35,7 @@ pub struct gusset_net_mesh_options {
     pub struct_size: usize,
     /// Faces of a net's mesh.
     pub faces: gusset_net_faces,
-    /// 1: one vertex for each node, nothing glued; 0: glued nodes are one vertex.
+    /// 1: one vertex for each node; 0: glued nodes are one vertex.
     /// @flag
     pub no_weld: u32,
     /// 1: keeps finite vertices without faces and wires.
@@ -49,8 +49,8 @@ pub struct gusset_net_mesh_options {
     pub texture: u32,
     /// 0.
     pub reserved: u32,
-    /// Omits faces with edges longer than this multiple of the median edge; 0: no limit. For range
-    /// images, 4 removes faces across depth jumps.
+    /// Omits faces with edges longer than this multiple of the median edge; 0: no limit. 4 removes
+    /// depth jumps from range images.
     pub max_edge_ratio: f64,
 }
 
@@ -66,13 +66,12 @@ pub struct gusset_net_mesh_report {
     pub node_of_vertex: gusset_indices,
     /// Cell of each face.
     pub cell_of_face: gusset_indices,
-    /// Edges without faces, two vertices each, from cells whose opposite sides are glued.
+    /// Edges without faces, two vertices each: cells whose opposite sides are glued.
     /// @shape * 2
     pub wires: gusset_indices,
-    /// For each corner of the mesh, the index of its pair in texture_coordinates; empty unless
-    /// requested.
+    /// For each corner, its pair in texture_coordinates; empty unless requested.
     pub texture_corners: gusset_indices,
-    /// Pairs (column, row), each from 0 to 1. A vertex on a seam has one pair on each side.
+    /// Pairs (column, row), 0 to 1. A vertex on a seam has a pair on each side.
     /// @shape texture_count 2
     pub texture_coordinates: *const f64,
     /// Number of pairs.
@@ -85,28 +84,27 @@ pub struct gusset_net_mesh_report {
 pub struct gusset_heights {
     /// sizeof(gusset_heights).
     pub struct_size: usize,
-    /// Number of rows, at least 2.
+    /// At least 2.
     pub rows: usize,
-    /// Number of columns, at least 2.
+    /// At least 2.
     pub columns: usize,
-    /// Heights of type scalar, contiguous in rows, at any alignment. NaN and infinity mark missing
-    /// nodes.
+    /// Heights of type scalar, contiguous in rows. NaN and infinity mark missing nodes.
     pub values: *const c_void,
-    /// Bytes from row to row; 0: rows without gaps.
+    /// Bytes from row to row; 0: no gaps.
     pub row_stride: usize,
     /// x from column to column, y from row to row; finite, not 0, of either sign.
     pub spacing: [f64; 2],
     /// Position of node (0, 0) at height 0.
     pub origin: [f64; 3],
-    /// Height that marks a missing node; read if has_no_data is 1.
+    /// Height of missing nodes, if has_no_data is 1.
     pub no_data: f64,
     /// 0 or 1.
     pub has_no_data: u32,
-    /// Type of the heights and of the net.
+    /// Type of heights and net.
     pub scalar: gusset_scalar,
 }
 
-/// Faces by which the given mesh represents each cell of the grid.
+/// Faces of a cell of the given grid.
 pub type gusset_grid_cells = u32;
 /// One quad for each cell; a triangle beside a pole.
 pub const GUSSET_GRID_QUADS: gusset_grid_cells = 0;
@@ -119,7 +117,7 @@ pub const GUSSET_GRID_TRIANGLES: gusset_grid_cells = 1;
 pub struct gusset_net_grid_options {
     /// sizeof(gusset_net_grid_options).
     pub struct_size: usize,
-    /// Faces by which the given mesh represents each cell of the grid.
+    /// Faces of a cell of the given grid.
     pub cells: gusset_grid_cells,
     /// 1: only the component of face must be a grid; 0: the whole mesh.
     /// @when cells GUSSET_GRID_QUADS
@@ -144,7 +142,7 @@ pub struct gusset_net_grid_view {
     pub face_of_cell: gusset_indices,
 }
 
-/// Correspondence between a net and the mesh it was found in.
+/// Correspondence between a net and its mesh.
 pub struct gusset_net_grid {
     vertex_of_node: Vec<u32>,
     face_of_cell: Vec<u32>,
@@ -180,11 +178,11 @@ impl gusset_net_mesh_options {
 
 /// Makes the mesh of a net.
 ///
-/// Glued nodes become one vertex: a closed net becomes a closed mesh. Absent cells are omitted; a
-/// mesh without faces is not an error. Faces have the orientation of the net.
+/// Glued nodes become one vertex: a closed net becomes a closed mesh. Absent cells are omitted; the
+/// mesh may lack faces. Faces have the net's orientation.
 ///
 /// @errors OUT_OF_RANGE (max_edge_ratio), TOO_LARGE (2^32 - 1 corners or more)
-/// @complexity O(nodes), and O(w log w) for w cells whose opposite sides are glued.
+/// @complexity O(nodes), and O(w log w) for w cells with opposite sides glued.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_to_mesh(
@@ -199,10 +197,9 @@ pub unsafe extern "C" fn gusset_net_to_mesh(
     })
 }
 
-/// Lends the maps between a net and its mesh, for a result of gusset_net_to_mesh.
+/// Lends the maps.
 ///
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (a result of another operation)
-/// @complexity O(1).
+/// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_net_mesh(
@@ -258,10 +255,8 @@ where
 /// Makes a net from heights over a grid: node (i, j) is at origin + (j spacing[0], i spacing[1],
 /// height).
 ///
-/// Missing heights become missing nodes. Faces are counter-clockwise from above, for any sign of
-/// spacing.
+/// Faces are counter-clockwise from above, for any sign of spacing.
 ///
-/// @param heights the grid.
 /// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, OUT_OF_RANGE (spacing, origin)
 /// @complexity O(nodes).
 #[unsafe(no_mangle)]
@@ -280,24 +275,22 @@ pub unsafe extern "C" fn gusset_net_from_heights_create(
     })
 }
 
-/// Finds rows and columns in a mesh, and makes the net of its vertices, bit for bit.
+/// Finds rows and columns in a mesh, and makes their net, bit for bit.
 ///
-/// The quads form a rectangle, possibly closed in either direction. Fans of triangles around poles
-/// may adjoin its first and last row. Rows follow the only closed direction, or else the first edge
-/// of the first quad.
+/// The quads, at least one row, form a rectangle, possibly closed in either direction. Fans of
+/// triangles around poles may adjoin its first and last row. Rows follow the only closed direction,
+/// else the first edge of the first quad.
 ///
 /// With GUSSET_GRID_TRIANGLES, one diagonal of either direction cuts each quad.
 ///
-/// - If several pairings of triangles form a grid, the choice is deterministic. On a torus, it may
-///   close with a shift, unlike the original rows and columns.
-/// - Tubes and tori with irregular diagonals may be refused.
-/// - Poles of open sheets with fewer than six triangles may be refused.
-/// - At least one row of quads is required.
+/// - If several pairings of triangles form a grid, the choice is deterministic; a torus may close
+///   with a shift, unlike the original rows and columns.
+/// - Tubes and tori with irregular diagonals, and poles of open sheets with fewer than six
+///   triangles, may be refused.
 ///
-/// @param grid receives the correspondence of net and mesh; may be NULL.
+/// @param grid receives the correspondence, or NULL.
 /// @errors NO_GRID (a face that violates the grid)
-/// @complexity O(H log d) for H half-edges and valence d. Closed triangle meshes without distinct
-///     poles take several attempts.
+/// @complexity O(H log d). Closed triangle meshes without distinct poles take several attempts.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_from_mesh_create(
@@ -336,8 +329,6 @@ pub unsafe extern "C" fn gusset_net_grid_destroy(grid: *mut gusset_net_grid) {
 }
 
 /// Lends a grid.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_grid_get_view(

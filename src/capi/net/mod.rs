@@ -39,19 +39,18 @@ use std::ffi::c_void;
 pub use net_handle::gusset_net;
 pub(crate) use net_handle::{edit, read};
 
-/// Coordinate matrices. Number (i, j) of each begins i * row_stride + j * column_stride bytes after
-/// the first. Layouts may be interleaved or column-major.
+/// Coordinate matrices, possibly interleaved or column-major. Number (i, j) of each begins i *
+/// row_stride + j * column_stride bytes after the first.
 ///
-/// Normals follow the cross product of increasing column and increasing row; the normals of a sheet
-/// of surface.h are opposite.
+/// Normals follow the cross product of increasing column and increasing row.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_view {
     /// sizeof(gusset_net_view).
     pub struct_size: usize,
-    /// Rows of nodes, at least 2.
+    /// At least 2.
     pub rows: usize,
-    /// Columns of nodes, at least 2; rows * columns is at most 2^31 - 1.
+    /// At least 2; rows * columns is at most 2^31 - 1.
     pub columns: usize,
     /// First coordinates.
     pub x: *mut c_void,
@@ -59,7 +58,7 @@ pub struct gusset_net_view {
     pub y: *mut c_void,
     /// Third coordinates.
     pub z: *mut c_void,
-    /// Bytes from row to row; 0: rows without gaps.
+    /// Bytes from row to row; 0: no gaps.
     pub row_stride: usize,
     /// Bytes from number to number in a row; 0: no gaps.
     pub column_stride: usize,
@@ -75,7 +74,7 @@ versioned! { gusset_net_view: 72 reserved }
 pub type gusset_net_memory = u32;
 /// Copied to the library's memory.
 pub const GUSSET_NET_MEMORY_COPY: gusset_net_memory = 0;
-/// The caller's memory, which changes with the net.
+/// The caller's memory; changes with the net.
 pub const GUSSET_NET_MEMORY_BORROW: gusset_net_memory = 1;
 
 /// The layout of the caller's matrices: bytes from row to row, from number to number, and spanned
@@ -190,16 +189,14 @@ fn put<T: Real>(to: &mut [u8], value: impl Real) {
 
 /// Makes a net from coordinates.
 ///
-/// - GUSSET_NET_MEMORY_COPY: they may have any alignment.
-/// - GUSSET_NET_MEMORY_BORROW: they are aligned, without gaps in rows. row_stride is a multiple of
-///   the scalar's size. Matrices must not overlap, and stay valid until the net is destroyed.
+/// Borrowed matrices are aligned, without gaps in rows; row_stride is a multiple of the scalar's
+/// size. They do not overlap, and stay valid until the net is destroyed.
 ///
-/// @param view the coordinates.
 /// @param gluing NULL: nothing is glued.
 /// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, OVERLAP, OUT_OF_RANGE (a byte of the matrix),
-///     BAD_SEAM (with the seam), CROSSING_CELL (with the cell)
+///     BAD_SEAM, CROSSING_CELL
 /// @complexity O(nodes + pairs of seams); 12 or 24 bytes a node, and 1/4 byte if sides do not give
-///     the gluing. Borrowed: O(1) without matrix and seams.
+///     the gluing. Borrowed without matrix and seams: O(1).
 /// @source Deryagin, "Model of the tetragonal regular network".
 #[unsafe(no_mangle)]
 #[must_use]
@@ -271,16 +268,14 @@ fn lend(net: &Net<'_>) -> gusset_net_view {
     })
 }
 
-/// Lends the size and coordinates of a net, for reading only.
-///
-/// @complexity O(1).
+/// Lends the coordinates for reading.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_get_view(net: *const gusset_net, view: *mut gusset_net_view) -> gusset_status {
     lend!(net, view, |net| lend(net.net()))
 }
 
-/// Lends the coordinates of a net for writing, until the next call with this net.
+/// Lends the coordinates for writing, until the next call with this net.
 ///
 /// The caller keeps glued nodes equal; see snap of gusset_glue_options. Shared memory is copied
 /// first.
@@ -309,9 +304,9 @@ pub unsafe extern "C" fn gusset_net_edit(
     })
 }
 
-/// Copies the coordinates of a net to the caller's matrices.
+/// Copies the coordinates to the caller's matrices.
 ///
-/// @param view matrices of the net's size, with any layout and scalar type. Conversion to float
+/// @param view matrices of the net's size, in any layout and scalar type. Conversion to float
 ///     rounds. Bytes in gaps stay.
 /// @errors SIDES_DIFFER (another size), BAD_STRIDE
 /// @complexity O(nodes).

@@ -10,10 +10,10 @@ use std::sync::Arc;
 /// Net: a matrix of nodes with coordinates, and its gluing.
 ///
 /// - Node (i, j) has index i * columns + j; cell (i, j) has i * (columns - 1) + j.
-/// - Link 2 * node leads to the next node of the row, 2 * node + 1 of the column. The last node
+/// - Link 2 * node leads to the next node of the row, 2 * node + 1 of the column; the last node
 ///   links to the first.
-/// - A node with a NaN or infinite coordinate is missing. Absent cells have a missing corner or
-///   belong to a hidden bridge.
+/// - A node with a NaN or infinite coordinate is missing. A cell with a missing corner, or of a
+///   hidden bridge, is absent.
 pub struct gusset_net(Arc<Net<'static>>);
 
 handle! { gusset_net }

@@ -38,21 +38,20 @@ fn check_overlap(net: &Net<'_>, buffers: [*mut c_void; 3], bytes: usize) -> Resu
     if good || is_null { Ok(()) } else { Err(Failure::new(GUSSET_ERROR_OVERLAP, "x, y, z and the net overlap")) }
 }
 
-/// Computes the unit normal of every node of a net.
+/// Computes the unit normal of every node.
 ///
-/// Normals follow the cross product of increasing column and increasing row; reversed nets have
-/// opposite normals. All cells at a glued point give its nodes one normal, equal in bits. Absent
-/// cells do not count.
+/// Normals follow gusset_net_view; reversed nets have opposite ones. All cells at a glued point
+/// give its nodes one normal, equal in bits. Absent cells do not count.
 ///
-/// @param x receives first coordinates: rows x columns aligned numbers of the net's scalar type.
-///     Buffers must not overlap each other or the net.
-/// @param y receives the second coordinates.
-/// @param z receives the third coordinates.
+/// @param x receives x: rows x columns aligned numbers of the net's scalar type. Buffers must not
+///     overlap each other or the net.
+/// @param y receives y.
+/// @param z receives z.
 /// @param capacity size of each buffer, in numbers.
-/// @param missing_count receives the number of nodes without a normal, which get zeros; may be
-///     NULL. They are missing, or the areas of their cells vanish or cancel.
+/// @param missing_count receives the number of nodes without a normal, which get zeros: they are
+///     missing, or their cells' areas vanish or cancel. May be NULL.
 /// @errors BUFFER_TOO_SMALL, OVERLAP
-/// @complexity O(nodes); one bit a node, and memory for glued nodes.
+/// @complexity O(nodes); a bit a node, and memory for glued nodes.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_normals(

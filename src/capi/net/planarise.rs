@@ -18,14 +18,13 @@ pub struct gusset_planarise_options {
     /// Distance of corners from their mean plane, relative to the diagonal of the bounding box; 0:
     /// 1e-10, or 4e-7 for float.
     pub tolerance: f64,
-    /// One byte for each node. 1: the node and all nodes glued to it stay; 0: it may move. NULL:
-    /// all may move.
+    /// For each node, 1: it stays with all nodes glued to it. NULL: all may move.
     /// @shape fixed_count
     /// @flag
     pub fixed: *const u8,
-    /// Number of bytes: rows * columns; 0 with NULL.
+    /// rows * columns; 0 with NULL.
     pub fixed_count: usize,
-    /// Largest number of steps; 0: 100.
+    /// Most steps; 0: 100.
     pub max_iterations: u32,
     /// 1: boundary vertices of the surface stay.
     /// @flag
@@ -40,7 +39,7 @@ pub struct gusset_planarise_report {
     pub struct_size: usize,
     /// Initial diagonal of the bounding box.
     pub size: f64,
-    /// Absolute tolerance: relative tolerance times size.
+    /// Tolerance times size.
     pub tolerance: f64,
     /// Largest initial distance of corners from their mean plane.
     pub deviation_before: f64,
@@ -52,23 +51,22 @@ pub struct gusset_planarise_report {
     pub rms_displacement: f64,
     /// Cell with deviation_after; 2^64 - 1 without quads.
     pub worst_cell: u64,
-    /// Number of steps; 0 if all cells were planar, and no bit changed.
+    /// Steps; 0 if all cells were planar and no bit changed.
     pub iterations: u32,
-    /// 1: deviation_after is within the tolerance; 0: approximate result.
+    /// 1: deviation_after is within the tolerance.
     /// @flag
     pub converged: u32,
 }
 
 versioned! { gusset_planarise_options: 40, gusset_planarise_report: 72 }
 
-/// Moves the nodes of a net until all cells are planar, with locally least squared displacement.
+/// Makes all cells planar, with locally least squared displacement.
 ///
 /// Glued nodes stay one point. Absent cells and cells of fewer than four corners do not count.
-/// Failure to converge is not an error.
 ///
 /// @errors OUT_OF_RANGE (tolerance), COUNT_DIFFERS (fixed_count too small)
 /// @complexity For each step O(n^1.5) time and O(n log n) memory for n cells.
-/// @threads It uses one thread.
+/// @threads Uses one thread.
 /// @source Deryagin, "Closures"; Liu et al. 2006.
 #[unsafe(no_mangle)]
 #[must_use]

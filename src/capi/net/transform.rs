@@ -32,7 +32,7 @@ pub const GUSSET_OPERATION_SCALE: gusset_operation_kind = 4;
 pub const GUSSET_OPERATION_COMPRESS: gusset_operation_kind = 5;
 /// Scaling of x, y and z by values[0], values[1] and values[2].
 pub const GUSSET_OPERATION_STRETCH: gusset_operation_kind = 6;
-/// Affine map: three rows of four numbers; the fourth is the displacement.
+/// Affine map: three rows of four numbers, the last the displacement.
 pub const GUSSET_OPERATION_MATRIX: gusset_operation_kind = 7;
 
 /// Affine map.
@@ -89,17 +89,16 @@ fn chain(operations: *const gusset_operation, count: usize) -> Result<Affine, Fa
     })
 }
 
-/// Moves all nodes of a net by a chain of affine maps, composed in the given order into one matrix.
+/// Moves a net by a chain of affine maps, composed in the given order into one matrix.
 ///
 /// - Computation uses the net's scalar type.
-/// - Glued nodes with equal bits keep equal bits. Missing nodes stay missing; their finite
-///   coordinates may change.
-/// - A mirroring chain changes the reversed flag of the net, so that faces keep looking outwards.
+/// - Equal bits of glued nodes stay equal. Missing nodes stay missing; their finite coordinates may
+///   change.
+/// - A mirroring chain changes the net's reversed flag, so faces still look outwards.
 ///
-/// @param operations the maps, at any alignment.
-/// @param count number of operations; may be 0.
+/// @param count may be 0.
 /// @errors OUT_OF_RANGE (a number not finite, an axis of length 0, overflow of the product),
-///     FIELD_UNDEFINED (the first node that would overflow)
+///     FIELD_UNDEFINED (first node to overflow)
 /// @complexity O(nodes); no memory.
 /// @source Deryagin, T, R, S, C.
 #[unsafe(no_mangle)]

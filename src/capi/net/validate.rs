@@ -20,7 +20,7 @@ pub const GUSSET_NET_FINDING_SEAM_APART: gusset_net_finding_kind = 1;
 pub const GUSSET_NET_FINDING_LOOP: gusset_net_finding_kind = 2;
 /// Warning: the ends of link element coincide without being glued.
 pub const GUSSET_NET_FINDING_ZERO_LENGTH: gusset_net_finding_kind = 3;
-/// Warning: link element closes a row or column of fewer than four nodes, which encloses nothing.
+/// Warning: link element closes a row or column of fewer than four nodes.
 pub const GUSSET_NET_FINDING_FEW_NODES: gusset_net_finding_kind = 4;
 
 /// Finding of a validation.
@@ -70,13 +70,12 @@ c_enum! {
     }
 }
 
-/// Checks that glued nodes coincide, and warns of suspicious gluing. Findings are not errors. Two
-/// missing nodes coincide.
+/// Checks that glued nodes coincide, and warns of suspicious gluing. Two missing nodes coincide.
 ///
 /// @param tolerance largest distance of coincident nodes, at least 0; 0: equal coordinates (0
 ///     equals -0).
 /// @errors OUT_OF_RANGE (tolerance)
-/// @complexity O(nodes), and a sort of the findings.
+/// @complexity O(nodes), plus a sort of the findings.
 /// @source Deryagin, "Non-spatial operations".
 #[unsafe(no_mangle)]
 #[must_use]

@@ -1,5 +1,4 @@
-//! Regions of cells: Chains, diameters, cells and nodes of masks. Input arrays may have any
-//! alignment.
+//! Regions of cells: Chains, diameters, cells and nodes of masks.
 //!
 //! @source Leus.
 
@@ -22,12 +21,12 @@ pub struct gusset_mask_report {
     pub struct_size: usize,
     /// Number of cells.
     pub cells: u64,
-    /// Most cells in a shortest chain between two cells; 0 without cells, 2^64 - 1 if disconnected.
+    /// Most cells in a shortest chain; 0 without cells, 2^64 - 1 if disconnected.
     pub integer_diameter: u64,
-    /// Euler characteristic, vertices - edges + cells: 1 for a connected region without holes.
+    /// Vertices - edges + cells: 1 for a connected region without holes.
     pub euler: i64,
-    /// Bound of the distance between two points: integer_diameter times the greatest Euclidean
-    /// diameter of a cell. Infinite if disconnected.
+    /// Bound of the distance of two points: integer_diameter times the greatest Euclidean diameter
+    /// of a cell; infinite if disconnected.
     pub diameter: f64,
 }
 
@@ -50,17 +49,16 @@ fn cell(pointer: *const u32, name: &'static str) -> Result<[usize; 2], Failure> 
 
 /// Finds a shortest chain of cells in a region; consecutive cells share a node.
 ///
-/// The sum of their diameters bounds the distance between points of the first and the last cell.
+/// The sum of their diameters bounds the distance between points of the end cells.
 ///
-/// @param words the region, one bit for each cell. Cell (i, j) is bit k % 64 of word k / 64, where
-///     k = i * columns + j. NULL with count 0: all cells.
-/// @param count words, at least those that the cells need.
-/// @param from row and column of a cell of the region.
-/// @param to row and column of a cell of the region.
-/// @param cells receives row and column of each cell, from and to included. NULL with capacity 0:
-///     only the size.
+/// @param words the region, a bit a cell. Cell (i, j) is bit k % 64 of word k / 64, k = i * columns
+///     + j. NULL with count 0: all cells.
+/// @param count at least the words of all cells.
+/// @param from row and column in the region.
+/// @param to row and column in the region.
+/// @param cells receives row and column of each cell, from and to included.
 /// @param capacity in cells.
-/// @param written receives the number of cells; 0 if no chain exists.
+/// @param written receives the number of cells; 0 without a chain.
 /// @errors COUNT_DIFFERS (too few words), NO_SUCH_ELEMENT (cell), BUFFER_TOO_SMALL
 /// @complexity O(cells).
 /// @source Leus, eq. (3).
@@ -86,7 +84,7 @@ pub unsafe extern "C" fn gusset_sheet_mask_chain(
     })
 }
 
-/// Measures the integer diameter, a diameter bound and the Euler characteristic of a region.
+/// Measures a region.
 ///
 /// @param words as for gusset_sheet_mask_chain.
 /// @complexity O(cells) for compact regions, at worst O(cells^2).
@@ -122,7 +120,7 @@ pub unsafe extern "C" fn gusset_sheet_mask_measure(
 ///
 /// @param words as for gusset_sheet_mask_chain.
 /// @param domain faces: cells; vertices or corners: nodes.
-/// @param elements receives row and column of each element. NULL with capacity 0: only the size.
+/// @param elements receives row and column of each element.
 /// @param capacity in elements.
 /// @param written receives the number of elements.
 /// @errors COUNT_DIFFERS (too few words), BUFFER_TOO_SMALL

@@ -32,7 +32,7 @@ pub const GUSSET_REFERENCE_PLANE: gusset_reference_object = 1;
 pub const GUSSET_REFERENCE_LINE: gusset_reference_object = 2;
 /// The segment from `point` to `point` + `direction`.
 pub const GUSSET_REFERENCE_SEGMENT: gusset_reference_object = 3;
-/// Normals at `angle` to `direction`. Distances are deviations from the angle, in radians.
+/// Normals at `angle` to `direction`. Distances are deviations from the angle.
 pub const GUSSET_REFERENCE_ANGLE: gusset_reference_object = 4;
 
 /// The curve.
@@ -42,7 +42,7 @@ pub const GUSSET_REFERENCE_SURFACE: gusset_reference_object = 6;
 /// The ray from `point` along `direction`.
 pub const GUSSET_REFERENCE_RAY: gusset_reference_object = 7;
 
-/// Task and method of Leus's search.
+/// Task and method of Leus's search. Fields name objects without prefix.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_reference_task {
@@ -50,33 +50,32 @@ pub struct gusset_reference_task {
     pub struct_size: usize,
     /// Object of a search.
     pub object: gusset_reference_object,
-    /// Cells to find. 0: cells that may have a point at most `within` away. 1: cells that may have
-    /// the nearest point.
+    /// Cells to find. 0: those that may have a point at most `within` away; 1: the nearest point.
     pub find_nearest: u32,
-    /// x, y, z; not read for angles.
+    /// Not read for angles.
     pub point: [f64; 3],
-    /// x, y, z, not 0; not read for points.
+    /// Not 0; not read for points.
     pub direction: [f64; 3],
-    /// Distance, at least 0; INFINITY: all cells. Not read if find_nearest is 1.
+    /// At least 0; INFINITY: all cells. Not read if find_nearest is 1.
     pub within: f64,
-    /// For GUSSET_REFERENCE_ANGLE: 0 to pi.
+    /// ANGLE: 0 to pi.
     pub angle: f64,
-    /// For GUSSET_REFERENCE_ANGLE: a bound of the principal curvatures of the sheet (see
-    /// gusset_sheet_measure); 0: cones of normals, which are tighter.
+    /// ANGLE: a bound of the sheet's principal curvatures (see gusset_sheet_measure); 0: cones of
+    /// normals, which are tighter.
     pub curvature: f64,
-    /// For GUSSET_REFERENCE_ANGLE. 1: a normal and its opposite are equal.
+    /// ANGLE. 1: a normal and its opposite are equal.
     pub unsigned_normals: u32,
-    /// Bound of blocks. 1: sum of the greatest bound of each ring of cells; 0: integer diameter
-    /// times the greatest.
+    /// Bound of blocks. 1: sum of each ring's greatest bound; 0: integer diameter times the
+    /// greatest.
     pub by_rings: u32,
     /// 1: visits nodes row by row, as Leus does; 0: distant nodes first.
     pub by_rows: u32,
-    /// For rows and columns of cells at an edge that an excluded block covers completely. 0: removes
-    /// them, which leaves a smaller surface; 1: keeps them.
+    /// Rows and columns of cells at an edge that an excluded block covers. 0: removes them; 1:
+    /// keeps them.
     pub keep_lines: u32,
-    /// For GUSSET_REFERENCE_CURVE.
+    /// CURVE.
     pub curve: *const gusset_curve,
-    /// For GUSSET_REFERENCE_SURFACE.
+    /// SURFACE.
     pub surface: *const gusset_surface,
 }
 
@@ -94,7 +93,7 @@ pub struct gusset_reference_report {
     pub blocks: u64,
     /// Lines of cells removed.
     pub dropped: u64,
-    /// Least distance of the evaluated nodes; of all nodes if find_nearest is 1.
+    /// Least distance of evaluated nodes; of all if find_nearest is 1.
     pub min_distance: f64,
     /// Row of the node at min_distance.
     pub row: u32,
@@ -170,17 +169,14 @@ impl gusset_reference_task {
     }
 }
 
-/// Finds the cells of a sheet that may satisfy a task, by Leus's search with its logical scale.
+/// Finds the cells of a sheet that may satisfy a task, by Leus's search.
 ///
 /// No qualifying cell is missing. gusset_surface answers faster.
 ///
-/// @param words receives one bit for each cell, as for gusset_sheet_mask_chain; 0 after an error.
-///     NULL with capacity 0: only the size and the report.
-/// @param capacity in words.
+/// @param words receives a bit a cell, as for gusset_sheet_mask_chain; 0 after an error.
 /// @param written receives the number of words.
 /// @param report may be NULL.
-/// @errors OUT_OF_RANGE (non-finite values, zero direction, negative distance, angle outside 0 to
-///     pi), BUFFER_TOO_SMALL
+/// @errors OUT_OF_RANGE (non-finite values, zero direction, within, angle), BUFFER_TOO_SMALL
 /// @complexity O(cells), parallel, for bounds; O(cells / 64 + nodes evaluated) for the search.
 /// @source Leus; docs/errata.md lists its errata.
 #[unsafe(no_mangle)]
@@ -232,16 +228,14 @@ fn mask(
 
 /// Finds the arcs of a curve that may satisfy a task.
 ///
-/// Each segment is divided into `parts` arcs of equal parameter length, numbered along the curve.
-/// No qualifying arc is missing. GUSSET_REFERENCE_ANGLE refers to tangents, and unsigned_normals
-/// admits both directions; curvature and keep_lines are not read.
+/// Each segment has `parts` arcs of equal parameter length, numbered along the curve. No qualifying
+/// arc is missing. GUSSET_REFERENCE_ANGLE refers to tangents, unsigned_normals to both directions;
+/// curvature and keep_lines are not read.
 ///
 /// @param parts arcs of each segment, at least 1; at most 2^30 arcs in all.
-/// @param words receives one bit for each arc: arc k is bit k % 64 of word k / 64; 0 after an
-///     error. NULL with capacity 0: only the size and the report.
-/// @param capacity in words.
+/// @param words receives a bit an arc: arc k is bit k % 64 of word k / 64; 0 after an error.
 /// @param written receives the number of words.
-/// @param report row is 0, column is the point of the curve; may be NULL.
+/// @param report row is 0, column the point of the curve; may be NULL.
 /// @errors as gusset_sheet_reference_mask, EMPTY_CURVE, OUT_OF_RANGE (parts), TOO_LARGE
 /// @complexity O(arcs degree^2) for lengths; O(arcs / 64 + nodes evaluated) for the search.
 /// @source Leus, the last paragraph.
@@ -262,15 +256,14 @@ pub unsafe extern "C" fn gusset_curve_reference_mask(
     })
 }
 
-/// Approximates normals at places by Leus's sections, to third order in the size of cells.
+/// Approximates normals by Leus's sections, to third order in the size of cells.
 ///
 /// Two orthogonal planes parallel to the mean normal of the cell's corners cut the lines of the
-/// net. In each, a cubic through four crossings gives a tangent. gusset_surface_evaluate returns
-/// exact normals.
+/// net. In each, a cubic through four crossings gives a tangent. gusset_surface_evaluate is exact.
 ///
 /// @param places their sheet is not read; u and v are 0 to 1.
-/// @param normals receives x, y, z for each place; 0 if undefined or after an error.
-/// @errors NO_SUCH_ELEMENT (place: the cell does not exist, or a parameter is outside 0 to 1)
+/// @param normals receives count normals; 0 if undefined or after an error.
+/// @errors NO_SUCH_ELEMENT (place: no such cell, or a parameter outside 0 to 1)
 /// @complexity O(1) a place.
 /// @source Leus, fig. 1.
 #[unsafe(no_mangle)]

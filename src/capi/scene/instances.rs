@@ -12,15 +12,15 @@ use crate::capi::transform::gusset_transform;
 use crate::net::scene::{Instance, Scene};
 use crate::net::{BridgeMode, Direction, JoinOptions};
 
-/// Instance: one path from a top-level entry to an entry.
+/// Instance: a path from top level to an entry.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_scene_instance {
-    /// Map into the space of the scene.
+    /// Map into the scene's space.
     pub world: gusset_transform,
     /// The entry.
     pub entry: u32,
-    /// Instance of the enclosing group; UINT32_MAX at top level.
+    /// Instance of the enclosing group, or UINT32_MAX.
     pub parent: u32,
     /// 1 unless the entry or an enclosing group is hidden.
     /// @flag
@@ -33,9 +33,8 @@ fixed! { gusset_scene_instance: 112 }
 
 /// Writes all instances: each after its group, children in order.
 ///
-/// @param instances room for capacity instances; NULL and capacity 0 to count.
-/// @param capacity size of instances.
-/// @param written receives the count, also with BUFFER_TOO_SMALL.
+/// @param instances receives the instances.
+/// @param written receives the count.
 /// @errors BUFFER_TOO_SMALL, TOO_LARGE (more than 2^24 instances)
 /// @complexity O(entries + instances).
 #[unsafe(no_mangle)]
@@ -60,14 +59,13 @@ pub unsafe extern "C" fn gusset_scene_world_transforms(
     })
 }
 
-/// Joins all visible nets into one, in the space of the scene.
+/// Joins all visible nets into one, in the scene's space.
 ///
-/// Mirrored nets are flipped if necessary: turn counts as 1. gusset_scene_unflatten_create is the
-/// inverse.
+/// Mirrored nets are flipped: turn counts as 1. gusset_scene_unflatten_create is the inverse.
 ///
 /// @param options NULL: nets from top to bottom, with hidden bridges.
-/// @errors EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24 instances, or too many nodes),
-///     as gusset_net_concatenate_create
+/// @errors EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24 instances, or nodes), as
+///     gusset_net_concatenate_create
 /// @complexity O(entries + instances + nodes).
 /// @source Deryagin, scenes as "a single whole".
 #[unsafe(no_mangle)]
@@ -88,10 +86,9 @@ pub unsafe extern "C" fn gusset_scene_flatten_create(
     })
 }
 
-/// Splits a net at the last-made bridges of a direction from side to side. The parts form one
-/// group, entry 0.
+/// Splits a net at the last-made bridges of a direction from side to side, into one group, entry 0.
 ///
-/// Parts keep their bits in the space of net; copies that equalised sizes are removed.
+/// Parts keep their bits in net's space; copies that equalised sizes are removed.
 ///
 /// @errors CROSSING_CELL
 /// @complexity O(nodes).

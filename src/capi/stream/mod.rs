@@ -18,7 +18,7 @@ pub type gusset_stream_mode = u32;
 pub const GUSSET_STREAM_QUANTISED: gusset_stream_mode = 0;
 /// Compressed bit for bit, including NaN.
 pub const GUSSET_STREAM_LOSSLESS: gusset_stream_mode = 1;
-/// Uncompressed little-endian matrices, aligned to 64 bytes for memory mapping.
+/// Uncompressed little-endian matrices, aligned to 64 bytes.
 pub const GUSSET_STREAM_RAW: gusset_stream_mode = 2;
 
 /// Options of gusset_net_encode_create.
@@ -27,14 +27,13 @@ pub const GUSSET_STREAM_RAW: gusset_stream_mode = 2;
 pub struct gusset_stream_options {
     /// sizeof(gusset_stream_options).
     pub struct_size: usize,
-    /// Rows of each independently coded block. 0: about 2^17 nodes a block, or one block for RAW.
+    /// Rows of each independently coded block; 0: about 2^17 nodes, or all for RAW.
     pub rows_per_block: usize,
     /// Storage of coordinates in a stream.
     pub mode: gusset_stream_mode,
     /// QUANTISED: bits of a coordinate, 8 to 24; 0: 14. Else 0.
     pub bits: u32,
-    /// QUANTISED, 1: each axis has its own step; 0: the longest extent gives the step of all. Else
-    /// 0.
+    /// QUANTISED, 1: each axis has its own step; 0: the longest extent's for all. Else 0.
     /// @flag
     pub per_axis: u32,
     /// 0.
@@ -47,17 +46,17 @@ pub struct gusset_stream_options {
 pub struct gusset_stream_report {
     /// sizeof(gusset_stream_report).
     pub struct_size: usize,
-    /// Rows of nodes.
+    /// Node rows.
     pub rows: usize,
-    /// Columns of nodes.
+    /// Node columns.
     pub columns: usize,
-    /// Rows of each block; the last may have fewer.
+    /// Rows of a block; the last may have fewer.
     pub rows_per_block: usize,
     /// Bytes before the first block.
     pub prelude_size: u64,
-    /// QUANTISED: coordinates of level 0; level k is at origin + k * step. Else 0.
+    /// QUANTISED: level 0; level k is at origin + k * step. Else 0.
     pub origin: [f64; 3],
-    /// QUANTISED: distance of levels. Coordinates are off by at most step / 2 and half a unit in
+    /// QUANTISED: distance of levels; coordinates are off by at most step / 2 and half a unit in
     /// the last place. Else 0.
     pub step: [f64; 3],
     /// Type of coordinates.
@@ -83,7 +82,7 @@ pub struct gusset_stream_view {
     pub struct_size: usize,
     /// First byte.
     pub data: *const c_void,
-    /// Number of bytes.
+    /// Bytes.
     pub size: usize,
 }
 
@@ -114,12 +113,12 @@ impl gusset_stream_options {
 
 /// Encodes a net as a stream: coordinates, gluing and bridges.
 ///
-/// - QUANTISED and LOSSLESS store one node of each glued point, and decoding repeats its bits.
-///   LOSSLESS stores all if their bits differ.
+/// - QUANTISED and LOSSLESS store one node of each glued point, whose bits decoding repeats;
+///   LOSSLESS stores all if bits differ.
 /// - QUANTISED replaces missing nodes by three NaN.
 ///
-/// @errors OUT_OF_RANGE (bits; for QUANTISED, a coordinate above a quarter of the largest double)
-/// @complexity O(nodes); threads share the blocks.
+/// @errors OUT_OF_RANGE (bits; QUANTISED: a coordinate above a quarter of the largest double)
+/// @complexity O(nodes), parallel by blocks.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_encode_create(
@@ -134,9 +133,7 @@ pub unsafe extern "C" fn gusset_net_encode_create(
     })
 }
 
-/// Lends the bytes of a stream.
-///
-/// @complexity O(1).
+/// Lends the bytes.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stream_get_view(
@@ -159,8 +156,8 @@ pub unsafe extern "C" fn gusset_stream_destroy(stream: *mut gusset_stream) {
 /// Reads the header of a stream.
 ///
 /// @param data the first 128 bytes or more.
-/// @param size number of bytes.
-/// @errors BAD_STREAM (with the byte)
+/// @param size bytes.
+/// @errors BAD_STREAM (byte)
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -195,14 +192,13 @@ pub unsafe extern "C" fn gusset_stream_inspect(
 
 /// Decodes a stream to a net.
 ///
-/// Damaged and malicious streams do no harm. Memory is at most 4096 nodes, or 96 KiB, for each byte
-/// of the stream.
+/// Damaged and malicious streams do no harm: memory is at most 4096 nodes, or 96 KiB, a byte.
 ///
-/// @param data the whole stream, at any alignment.
-/// @param size number of bytes.
-/// @param node_limit largest number of nodes, checked before allocation; 0: no further limit.
-/// @errors BAD_STREAM (with the byte), TOO_LARGE
-/// @complexity O(nodes); threads share the blocks.
+/// @param data the whole stream.
+/// @param size bytes.
+/// @param node_limit most nodes, checked before allocation; 0: no limit.
+/// @errors BAD_STREAM (byte), TOO_LARGE
+/// @complexity O(nodes), parallel by blocks.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_decode_create(
@@ -219,10 +215,9 @@ pub unsafe extern "C" fn gusset_net_decode_create(
     })
 }
 
-/// Makes a decoder of a stream that arrives in pieces.
+/// Makes a decoder.
 ///
-/// @param node_limit largest number of nodes; 0: 2^31 - 1. Memory is allocated before the stream is
-///     complete.
+/// @param node_limit most nodes; 0: 2^31 - 1. Memory is allocated before the stream is complete.
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -237,15 +232,15 @@ pub unsafe extern "C" fn gusset_stream_decoder_create(
     })
 }
 
-/// Passes the next bytes of a stream to a decoder.
+/// Passes the next bytes to a decoder.
 ///
-/// After OUT_OF_MEMORY the decoder is unchanged; any other error is final, and every further call
-/// returns it.
+/// After OUT_OF_MEMORY the decoder is unchanged; any other error is final, and further calls return
+/// it.
 ///
-/// @param data any number of bytes, at any alignment.
-/// @param size number of bytes.
-/// @param rows_done receives the number of complete rows so far; may be NULL.
-/// @errors BAD_STREAM (with the byte), TOO_LARGE
+/// @param data any number of bytes.
+/// @param size bytes.
+/// @param rows_done receives the count of complete rows, or NULL.
+/// @errors BAD_STREAM (byte), TOO_LARGE
 /// @complexity O(bytes + nodes of completed blocks).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -281,7 +276,7 @@ pub unsafe extern "C" fn gusset_stream_decoder_preview_create(
 
 /// Makes the net of a complete stream, and resets the decoder.
 ///
-/// @errors BAD_STREAM (incomplete stream), as gusset_stream_decoder_push
+/// @errors BAD_STREAM (incomplete), as gusset_stream_decoder_push
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]

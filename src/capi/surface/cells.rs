@@ -15,13 +15,13 @@ use gusset_base::alloc;
 pub struct gusset_surface_cell {
     /// Index of the sheet.
     pub sheet: u32,
-    /// Row of the cell.
+    /// Its row.
     pub row: u32,
-    /// Column of the cell.
+    /// Its column.
     pub column: u32,
 }
 
-/// Cells of a surface, or pairs of cells of two.
+/// Cells, or pairs of cells.
 pub struct gusset_surface_cells {
     cells: Vec<gusset_surface_cell>,
     others: Vec<gusset_surface_cell>,
@@ -32,14 +32,13 @@ pub struct gusset_surface_cells {
 
 handle! { gusset_surface_cells }
 
-/// Lent cells. For a region `others` is NULL; for pairs, the fields below it are NULL or 0.
+/// Lent cells. Region: `others` is NULL; pairs: the fields below it are NULL or 0.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_surface_cells_view {
     /// sizeof(gusset_surface_cells_view).
     pub struct_size: usize,
-    /// Cells, sorted by sheet, row, column. Pairs: cells of the first surface, sorted by both
-    /// sheets, then row, column.
+    /// Cells by sheet, row, column. Pairs: cells of the first surface by both sheets, row, column.
     /// @shape cell_count
     pub cells: *const gusset_surface_cell,
     /// Number of cells or pairs.
@@ -51,8 +50,8 @@ pub struct gusset_surface_cells_view {
     /// @shape cell_count
     /// @flag
     pub whole: *const u32,
-    /// One bit for each cell of all sheets, 1 in the region. Cell (i, j) of sheet k with c columns
-    /// has bit b = first[k] + i * c + j: mask[b / 64] >> (b % 64) & 1.
+    /// A bit for each cell, 1 in the region. Cell (i, j) of sheet k with c columns has bit b =
+    /// first[k] + i * c + j: mask[b / 64] >> (b % 64) & 1.
     /// @shape word_count
     pub mask: *const u64,
     /// Words of the mask.
@@ -69,12 +68,12 @@ fixed! { gusset_surface_cell: 12 }
 
 /// Finds the cells that have a point within a radius of a query.
 ///
-/// No cell is missed. A returned cell may lie outside by the tolerance, or more if bounded work
-/// cannot decide.
+/// No cell is missed; a cell may lie outside by the tolerance, or more if bounded work cannot
+/// decide.
 ///
-/// @param query x, y, z, up to 1e150.
+/// @param query up to 1e150.
 /// @param radius at least 0; INFINITY: all cells.
-/// @errors NOT_FINITE, OUT_OF_RANGE (radius; a coordinate beyond 1e150)
+/// @errors NOT_FINITE, OUT_OF_RANGE (radius, query)
 /// @complexity O(cells found), and one bit a cell.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -101,7 +100,7 @@ pub unsafe extern "C" fn gusset_surface_region_create(
 
 /// Finds the pairs of cells of two surfaces that may be within a distance of each other.
 ///
-/// No pair is missed; a few pairs may be farther apart.
+/// No pair is missed; a few may be farther apart.
 ///
 /// @param within a length, finite; 0: cells that may meet.
 /// @errors OUT_OF_RANGE (within), TOO_LARGE (above 2^26 pairs)
@@ -129,8 +128,6 @@ pub unsafe extern "C" fn gusset_surface_cell_pairs_create(
 }
 
 /// Lends the cells.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_cells_get_view(

@@ -17,15 +17,14 @@ pub const GUSSET_ALONG_ROWS: gusset_sheet_direction = 0;
 /// Along columns: v is constant.
 pub const GUSSET_ALONG_COLUMNS: gusset_sheet_direction = 1;
 
-/// Draws a curve through points as sheets are drawn through nodes: fourth-order, a cubic between
-/// adjacent points.
+/// Draws a curve through points as sheets through nodes: fourth-order, a cubic between adjacent
+/// points.
 ///
-/// @param nodes x, y, z, finite; at least 2. If closed: at least 4, and the last repeats the first
-///     (closed paths of a surface lack it).
+/// @param nodes finite; at least 2. If closed: at least 4, and the last repeats the first.
 /// @param closed 0 or 1.
 /// @errors NET_TOO_SMALL (too few points), NOT_FINITE, CURVE_NOT_CLOSED, TOO_LARGE
 /// @complexity O(count).
-/// @source Leus, "Carcasses on smooth surfaces".
+/// @source Leus.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_through_create(
@@ -42,7 +41,7 @@ pub unsafe extern "C" fn gusset_curve_through_create(
     })
 }
 
-/// Makes an exact coordinate curve of a sheet, one segment for each cell.
+/// Makes an exact coordinate curve of a sheet, one segment a cell.
 ///
 /// @param parameter the constant u or v, 0 to the number of cells in its direction.
 /// @errors OUT_OF_RANGE (parameter)
@@ -66,15 +65,14 @@ pub unsafe extern "C" fn gusset_sheet_curve_create(
     })
 }
 
-/// Finds where a curve meets a line, ray or segment, or comes within a distance of it.
+/// Finds where a curve meets a line, or comes within a distance of it.
 ///
-/// If within is 0 and both lie in the plane z = 0, the result has crossings and touches. Otherwise
-/// it has the minima of distance, each once. The other places have segment 0 and the line's
-/// parameter as t.
+/// If within is 0 and both lie in the plane z = 0, the result has crossings and touches, else the
+/// minima of distance, each once. `others` have segment 0 and the line's parameter as t.
 ///
 /// @param within a length, finite; in space raised to 1e-12 of the curve's size.
 /// @param places overlaps are parts that stay within the distance or cannot be separated.
-/// @errors EMPTY_CURVE, OUT_OF_RANGE (within; a line that is not finite or has no direction)
+/// @errors EMPTY_CURVE, OUT_OF_RANGE (within; a line not finite or without direction)
 /// @complexity Bounded for each segment whose box meets the line.
 #[unsafe(no_mangle)]
 #[must_use]

@@ -12,15 +12,14 @@ use gusset_base::alloc;
 
 /// Kind of a normal.
 pub type gusset_normal_kind = u32;
-/// Undefined: the tangents are 0, or parallel along all lines to the point.
+/// Undefined: tangents are 0, or parallel along all lines to the point.
 pub const GUSSET_NORMAL_NONE: gusset_normal_kind = 0;
 /// Normal of the tangent plane.
 pub const GUSSET_NORMAL_REGULAR: gusset_normal_kind = 1;
 /// Limit along the coordinate line where the tangents span no plane, as at poles.
 pub const GUSSET_NORMAL_LIMIT: gusset_normal_kind = 2;
 
-/// Point, derivatives, normal and curvatures at a place. Derivatives refer to the parameters in the
-/// cell.
+/// Point, derivatives by the cell's parameters, normal and curvatures at a place.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_surface_point {
@@ -38,13 +37,11 @@ pub struct gusset_surface_point {
     pub vv: [f64; 3],
     /// Unit normal along S_u x S_v; 0 if undefined.
     pub normal: [f64; 3],
-    /// For GUSSET_NORMAL_LIMIT: largest angle to the limits along other lines. Small at a smooth
-    /// pole, large at a cone's tip.
+    /// For GUSSET_NORMAL_LIMIT: largest angle to limits along other lines.
     pub spread: f64,
-    /// Principal curvatures, the greater first; positive where the surface bends towards the
-    /// normal.
+    /// Principal curvatures, the greater first; positive if bent towards the normal.
     pub principal: [f64; 2],
-    /// Principal directions: two unit tangents, x, y, z each.
+    /// Principal directions: two unit tangents.
     /// @shape 2 3
     pub directions: [f64; 6],
     /// Mean curvature.
@@ -53,7 +50,7 @@ pub struct gusset_surface_point {
     pub gaussian: f64,
     /// Kind of a normal.
     pub normal_kind: gusset_normal_kind,
-    /// 1: curvatures are given; 0: the surface is not regular, and they are 0.
+    /// 0: not regular; curvatures are 0.
     /// @flag
     pub is_curved: u32,
 }
@@ -99,10 +96,10 @@ pub(crate) fn surface_places(data: *const gusset_surface_place, count: usize) ->
     alloc::try_collect(input::items(data, count, "places")?.enumerate().map(place))
 }
 
-/// Evaluates points, derivatives, normals and curvatures at places of a surface.
+/// Evaluates a surface at places.
 ///
 /// @param results receives count points; all 0 after an error.
-/// @errors NO_SUCH_ELEMENT (place: sheet or cell does not exist, or a parameter is outside 0 to 1)
+/// @errors NO_SUCH_ELEMENT (place: no such sheet or cell, or a parameter outside 0 to 1)
 /// @complexity O(1) a place, at a pole O(cells round it); parallel.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -123,15 +120,14 @@ pub unsafe extern "C" fn gusset_surface_evaluate(
     })
 }
 
-/// Converts parameters of a whole sheet to places: node (i, j) has u = i and v = j.
+/// Converts parameters of a sheet to places: node (i, j) has u = i and v = j.
 ///
-/// Parameters wrap round in closed directions, and are clamped to open sides. A place has the
-/// parameters row + u and column + v.
+/// Parameters wrap round in closed directions, and are clamped to open sides.
 ///
 /// @param sheet index.
-/// @param parameters u, v of each place, packed.
+/// @param parameters u, v of each place.
 /// @param places receives count places; all 0 after an error.
-/// @errors NO_SUCH_ELEMENT (first pair that is not finite; first pair if the sheet does not exist)
+/// @errors NO_SUCH_ELEMENT (first pair that is not finite; first pair if no such sheet)
 /// @complexity O(1) a place.
 #[unsafe(no_mangle)]
 #[must_use]

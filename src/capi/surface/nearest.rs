@@ -14,14 +14,13 @@ use gusset_base::alloc;
 /// Properties of a nearest point.
 /// @bits
 pub type gusset_nearest_flags = u32;
-/// A point was found. Not set: no point is within the limit; distance and bound are infinite, all
-/// else is 0.
+/// A point was found. Not set: no point within the limit; distance and bound are infinite, all else
+/// 0.
 pub const GUSSET_NEAREST_FOUND: gusset_nearest_flags = 1;
 /// `bound` is within the tolerance of the distance, or within rounding. Not set: the proof takes
-/// too long, as near centres of curvature; `bound` still holds.
+/// too long, as near centres of curvature; `bound` holds.
 pub const GUSSET_NEAREST_PROVEN: gusset_nearest_flags = 2;
-/// Another point, farther from this one than 1/100 of the distance, is equally near within the
-/// tolerance.
+/// Another point, farther away than 1/100 of the distance, is equally near within the tolerance.
 pub const GUSSET_NEAREST_AMBIGUOUS: gusset_nearest_flags = 4;
 
 /// A surface point near a query.
@@ -53,7 +52,7 @@ pub struct gusset_nearest_options {
     pub struct_size: usize,
     /// Largest distance of a point, at least 0; 0 or INFINITY: no limit.
     pub limit: f64,
-    /// For minima: maximum number, the nearest first; 0: all.
+    /// Minima: most, nearest first; 0: all.
     pub max_count: usize,
 }
 
@@ -77,10 +76,9 @@ pub struct gusset_surface_points_view {
     pub points: *const gusset_surface_nearest_point,
     /// Number of points.
     pub count: usize,
-    /// Distance below which no minimum is missing.
+    /// No minimum below this distance is missing.
     pub bound: f64,
-    /// 1, or 0 if the search stopped at `bound`, as it may if the distance is constant over the
-    /// surface.
+    /// 0 if the search stopped at `bound`.
     /// @flag
     pub complete: u32,
     /// 0.
@@ -118,16 +116,16 @@ impl gusset_nearest_options {
     }
 }
 
-/// Finds the nearest point of a surface for each query.
+/// Finds the nearest point for each query.
 ///
 /// Among equally near points, the first by sheet, row and column is returned. Answers do not depend
 /// on other queries.
 ///
-/// @param queries x, y, z of each, packed.
-/// @param points receives count answers in the order of the queries; after an error, none is found.
-/// @errors TOO_LARGE, NOT_FINITE (query), OUT_OF_RANGE (limit; a coordinate beyond 1e150)
-/// @complexity O(log nodes) a query, parallel; near centres of curvature more, but bounded.
-/// @source Leus, "Carcasses on smooth surfaces", task a.
+/// @param queries up to 1e150.
+/// @param points receives count answers in order; after an error, none is found.
+/// @errors TOO_LARGE, NOT_FINITE (query), OUT_OF_RANGE (limit, query)
+/// @complexity O(log nodes) a query, parallel; more near centres of curvature, but bounded.
+/// @source Leus, task a.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_nearest(
@@ -153,13 +151,13 @@ pub unsafe extern "C" fn gusset_surface_nearest(
 
 /// Finds the local minima of the distance from a query.
 ///
-/// No minimum is missed. If the distance is constant, as at a focus, one point represents all cells
-/// that touch there, GUSSET_NEAREST_AMBIGUOUS and not GUSSET_NEAREST_PROVEN. On borders and
-/// creases, no path on the surface from a minimum leads nearer.
+/// No minimum is missed. If the distance is constant, one point represents all cells that touch
+/// there, GUSSET_NEAREST_AMBIGUOUS but not GUSSET_NEAREST_PROVEN. On borders and creases, no path
+/// on the surface leads nearer.
 ///
-/// @param query x, y, z, up to 1e150.
-/// @param points receives the minima, nearest first.
-/// @errors NOT_FINITE, OUT_OF_RANGE (limit; a coordinate beyond 1e150)
+/// @param query up to 1e150.
+/// @param points receives the minima.
+/// @errors NOT_FINITE, OUT_OF_RANGE (limit, query)
 /// @complexity O(cells within the limit, or up to the last of max_count minima).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -181,8 +179,6 @@ pub unsafe extern "C" fn gusset_surface_minima_create(
 }
 
 /// Lends the points.
-///
-/// @complexity O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_points_get_view(

@@ -1,6 +1,6 @@
 //! Sheets: Smooth patches through a grid of nodes.
 //!
-//! @source Leus.
+//! @source Leus, "Carcasses on smooth surfaces".
 
 use crate::capi::context::{create, gusset_context};
 use crate::capi::curve::points;
@@ -19,18 +19,17 @@ use gusset_base::alloc;
 use gusset_base::geom::strided::Strided;
 use std::ffi::c_void;
 
-/// A piece of surface: rows and columns of cells, each a Bézier patch. The handles that it was made
-/// from may be destroyed.
+/// A piece of surface: rows and columns of cells, each a Bézier patch.
 pub struct gusset_sheet(pub(crate) Sheet<'static>);
 
 handle! { gusset_sheet }
 
 /// Interpolation through nodes.
 pub type gusset_scheme = u32;
-/// Bicubic from the 6 x 6 nodes round a cell; fourth order, constant 1/384, continuous tangents.
+/// Bicubic from 6 x 6 nodes round a cell; fourth order, constant 1/384, continuous tangents.
 pub const GUSSET_SCHEME_SIX_TAP: gusset_scheme = 0;
-/// Leus's bicubic through the 4 x 4 nodes round a cell; fourth order, constant 3/128, tangents jump
-/// at nodes.
+/// Leus's bicubic through 4 x 4 nodes round a cell; fourth order, constant 3/128, tangents jump at
+/// nodes.
 pub const GUSSET_SCHEME_FOUR_POINT: gusset_scheme = 1;
 
 /// Source of the twists S_uv at nodes.
@@ -44,9 +43,8 @@ pub const GUSSET_TWISTS_ZERO: gusset_twists = 2;
 /// The given twists.
 pub const GUSSET_TWISTS_GIVEN: gusset_twists = 3;
 
-/// Nodes of a surface, x, y, z each. Node (i, j) is at nodes + i * row_stride + j * column_stride
-/// bytes. Normals point along S_u x S_v, u running from row to row: opposite to a net of the same
-/// nodes.
+/// Nodes of a surface. Node (i, j) is at nodes + i * row_stride + j * column_stride bytes. Normals
+/// point along S_u x S_v, u running from row to row: opposite to a net of these nodes.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_nodes {
@@ -54,9 +52,9 @@ pub struct gusset_nodes {
     pub struct_size: usize,
     /// The first node.
     pub nodes: *const c_void,
-    /// Rows, at least 2. If closed in u: at least 4, and the last repeats the first.
+    /// At least 2; if closed in u, at least 4, and the last repeats the first.
     pub rows: usize,
-    /// Columns, with the same limits in v. rows * columns is at most 2^31 - 1.
+    /// Likewise in v. rows * columns is at most 2^31 - 1.
     pub columns: usize,
     /// Bytes from row to row; 0: no gaps.
     pub row_stride: usize,
@@ -67,17 +65,17 @@ pub struct gusset_nodes {
     /// Interpolation through nodes.
     /// @option
     pub scheme: gusset_scheme,
-    /// 1: closed in u; the last row repeats the first.
+    /// 1: closed in u.
     /// @option
     /// @flag
     pub closed_u: u32,
-    /// 1: closed in v; the last column repeats the first.
+    /// 1: closed in v.
     /// @option
     /// @flag
     pub closed_v: u32,
 }
 
-/// Tangents at nodes: x, y, z each, packed, row after row. The parameter step between nodes is 1.
+/// Tangents at nodes, row after row. The parameter step between nodes is 1.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_tangents {
@@ -186,22 +184,22 @@ fn with_tangents(
     Ok(Sheet::from_tangents(&Tangents { nodes, u: &u, v: &v, twists, closed }, job)?)
 }
 
-/// Makes a sheet through nodes, or the C1 bicubic Hermite surface with given tangents.
+/// Makes a sheet through nodes, or the C1 bicubic Hermite surface of given tangents.
 ///
-/// Repeated nodes and rows that are one point (poles) are allowed.
+/// Repeated nodes and poles are allowed.
 ///
-/// Borrowed nodes must stay valid and unchanged until the sheet and everything made of it are
-/// destroyed. They are f64, with address and strides that are multiples of 8.
+/// Borrowed nodes are f64, with address and strides that are multiples of 8. They must stay valid
+/// and unchanged until the sheet and everything made of it are destroyed.
 ///
-/// @param nodes finite; at any alignment, unless borrowed.
-/// @param tangents NULL: the scheme of the nodes applies. Else rows x columns finite vectors in
-///     each array. A repeated closing line must exist, but its tangents are not used.
-/// @param borrow 1: reads the caller's nodes; 0: copies them. With tangents the sheet keeps only
+/// @param nodes finite.
+/// @param tangents NULL: the nodes' scheme applies. Else rows x columns finite vectors in each
+///     array; a repeated closing line is not used.
+/// @param borrow 1: reads the caller's nodes; 0: copies them. With tangents, the sheet keeps only
 ///     patches.
 /// @errors NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE (borrowed nodes), NOT_FINITE (node, tangent or
-///     twist), SIDES_DIFFER (closed, but the ends differ; names the largest gap)
+///     twist), SIDES_DIFFER (closed, but the ends differ; with the largest gap)
 /// @complexity O(nodes); 24 bytes a node (0 if borrowed), with tangents 384 bytes a cell.
-/// @source Leus, "Carcasses on smooth surfaces".
+/// @source Leus.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_create(
@@ -228,7 +226,7 @@ pub unsafe extern "C" fn gusset_sheet_create(
     })
 }
 
-/// Frees a sheet. Results made of it stay valid.
+/// Frees a sheet.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_sheet_destroy(sheet: *mut gusset_sheet) {
     handle::destroy(sheet);

@@ -19,9 +19,9 @@ pub struct gusset_sheet_mesh_options {
     pub struct_size: usize,
     /// Largest distance of triangles from the surface, above 0; 0 or INFINITY: unlimited.
     pub tolerance: f64,
-    /// Minimum parts of each cell in u; 0: 1.
+    /// Least parts of a cell in u; 0: 1.
     pub min_u: u32,
-    /// Minimum parts of each cell in v; 0: 1.
+    /// Least parts of a cell in v; 0: 1.
     pub min_v: u32,
     /// 1: triangles only; 0: quads, with triangles at poles.
     /// @flag
@@ -41,7 +41,7 @@ pub struct gusset_sheet_mesh_report {
     /// Place of each vertex; its sheet is 0.
     /// @shape vertex_count
     pub places: *const gusset_surface_place,
-    /// Unit normal of each vertex: x, y, z; 0 if undefined.
+    /// Unit normal of each vertex; 0 if undefined.
     /// @shape vertex_count 3
     pub normals: *const f64,
     /// Bound of the distance between surface and triangles, for quads divided by either diagonal.
@@ -62,8 +62,8 @@ impl gusset_sheet_mesh_options {
 
 /// Makes a mesh of a sheet.
 ///
-/// Cells of a row have the same number of parts in u, cells of a column in v. Seams and poles are
-/// closed. Faces are counter-clockwise seen from the side of S_u x S_v. The mesh may have no faces.
+/// Cells of a row share the number of parts in u, cells of a column in v. Seams and poles are
+/// closed. Faces are counter-clockwise seen from the side of S_u x S_v. The mesh may lack faces.
 ///
 /// @errors OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners or more)
 /// @complexity O(cells + vertices).
@@ -83,10 +83,9 @@ pub unsafe extern "C" fn gusset_sheet_to_mesh(
     })
 }
 
-/// Lends places and normals of a result of gusset_sheet_to_mesh.
+/// Lends the places and normals.
 ///
-/// @errors as gusset_result_get_mesh, WRONG_HANDLE (result of another operation)
-/// @complexity O(1).
+/// @errors WRONG_HANDLE
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_result_get_sheet_mesh(
