@@ -1,7 +1,7 @@
 //! Origins of the meshes of nets and sheets, whose sources are nodes and cells.
 
 use super::domain::Counts;
-use super::origins::{Kept, Origins};
+use super::origins::{KeptElements, Origins};
 use super::table::{STAGE, Table};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -10,7 +10,7 @@ use gusset_net::convert::{GridNet, NetMesh};
 use gusset_surface::SurfaceMesh;
 
 /// The counts of a grid of nodes, which are both its vertices and its corners.
-fn counts(rows: usize, columns: usize) -> Counts {
+fn grid_counts(rows: usize, columns: usize) -> Counts {
     let nodes = rows * columns;
     Counts { vertices: nodes, corners: nodes, faces: rows.saturating_sub(1) * columns.saturating_sub(1) }
 }
@@ -37,8 +37,8 @@ impl Origins {
                 corners.push(node.map(|node| (node as u32, 1.0)))?;
             }
         }
-        let inputs = vec![counts(net.vertex_of_node.len() / columns, columns)];
-        Origins::from_kept(Kept { inputs, vertices, corners, faces })
+        let inputs = vec![grid_counts(net.vertex_of_node.len() / columns, columns)];
+        Origins::from_kept(KeptElements { inputs, vertices, corners, faces })
     }
 
     /// The origins of the mesh of a net that consists of some rows and columns of a mesh in rows
@@ -85,7 +85,7 @@ impl Origins {
             }
         }
         let inputs = vec![Counts::from_mesh(input)];
-        Origins::from_kept(Kept { inputs, vertices, corners, faces: of_faces })
+        Origins::from_kept(KeptElements { inputs, vertices, corners, faces: of_faces })
     }
 
     /// The origins of the mesh of a sheet. The sources of a vertex or corner are the nodes of its
@@ -118,7 +118,7 @@ impl Origins {
             }
             faces.push([(cell[0] * columns as u32 + cell[1], 1.0)])?;
         }
-        let inputs = vec![counts(rows + 1, columns + 1)];
-        Origins::from_kept(Kept { inputs, vertices, corners, faces })
+        let inputs = vec![grid_counts(rows + 1, columns + 1)];
+        Origins::from_kept(KeptElements { inputs, vertices, corners, faces })
     }
 }

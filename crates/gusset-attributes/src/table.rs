@@ -98,13 +98,13 @@ impl Table {
     /// The sources of an element, and their weights.
     #[inline]
     pub fn row(&self, k: usize) -> (&[u32], &[f64]) {
-        let range = self.range(k);
+        let range = self.entry_range(k);
         (&self.sources[range.clone()], &self.weights[range])
     }
 
     /// The range of the sources of an element.
     #[inline]
-    pub(crate) fn range(&self, k: usize) -> Range<usize> {
+    pub(crate) fn entry_range(&self, k: usize) -> Range<usize> {
         self.offsets[k] as usize..self.offsets[k + 1] as usize
     }
 

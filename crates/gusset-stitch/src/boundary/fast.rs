@@ -35,7 +35,7 @@ use gusset_base::job::Job;
 use gusset_base::par;
 use gusset_base::sort::sort;
 use gusset_base::threads::lock;
-use gusset_mesh::{MeshView, NONE, Visitor};
+use gusset_mesh::{FaceVisitor, MeshView, NONE};
 use std::sync::{Mutex, PoisonError};
 
 /// Number of faces that one thread visits at a time.
@@ -111,9 +111,9 @@ struct Sums {
     area: u64,
 }
 
-impl Visitor for Sums {
+impl FaceVisitor for Sums {
     #[inline(always)]
-    fn face(&mut self, _: u32, corners: &[u32]) -> Result<()> {
+    fn visit_face(&mut self, _: u32, corners: &[u32]) -> Result<()> {
         let (count, first) = (corners.len(), corners[0]);
         let mut before = f(corners[count - 1]);
         for (i, &here) in corners.iter().enumerate() {
@@ -180,9 +180,9 @@ struct Gather<'a> {
     found: Vec<Candidate>,
 }
 
-impl Visitor for Gather<'_> {
+impl FaceVisitor for Gather<'_> {
     #[inline(always)]
-    fn face(&mut self, first: u32, corners: &[u32]) -> Result<()> {
+    fn visit_face(&mut self, first: u32, corners: &[u32]) -> Result<()> {
         // Most faces lack flagged corners.
         if corners.iter().fold(false, |any, &v| any | self.sums.is_flagged(v)) {
             self.collect(first, corners)

@@ -115,7 +115,7 @@ pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<O
         }
     }
     job.step(0.9, STAGE)?;
-    let mut oriented = concat::empty(slice::from_ref(mesh).iter(), [0; 3])?;
+    let mut oriented = concat::empty_with_room(slice::from_ref(mesh).iter(), [0; 3])?;
     concat::append(&mut oriented, mesh, &job.part(0.9, 0.9), |f| turned[f])?;
     job.step(1.0, STAGE)?;
     let turned_faces = turned.iter().filter(|&&t| t).count() as u32;

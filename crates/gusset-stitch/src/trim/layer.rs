@@ -1,7 +1,7 @@
 //! A prepared piece: triangles for nearest-point searches, and confidences.
 
 use super::trim_request::Options;
-use crate::align::Scan;
+use crate::align::CentredPiece;
 use crate::boundary::{self, boundary_loops};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -20,7 +20,7 @@ const MIN_SIGHT: f64 = 0.1;
 
 /// A prepared piece.
 pub(super) struct Layer {
-    pub(super) scan: Scan,
+    pub(super) scan: CentredPiece,
     /// The faces as triangles; polygons are fans from their first corners.
     pub(super) triangles: Vec<[u32; 3]>,
     /// The face of each triangle.
@@ -39,7 +39,7 @@ impl Layer {
         options: &Options<'_>,
         job: &Job<'_>,
     ) -> Result<Layer> {
-        let scan = Scan::new(mesh, unit, Some(origin), &job.part(0.0, 0.5))?;
+        let scan = CentredPiece::new(mesh, unit, Some(origin), &job.part(0.0, 0.5))?;
         let count = mesh.faces().half_edge_count().saturating_sub(2 * mesh.faces().len());
         let (mut triangles, mut faces) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
         for f in 0..mesh.faces().len() {

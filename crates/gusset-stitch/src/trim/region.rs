@@ -3,7 +3,7 @@
 
 use super::STAGE;
 use super::trim_request::SPARE_FACTOR;
-use crate::align::Scan;
+use crate::align::CentredPiece;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -152,7 +152,12 @@ impl<'m, 'a> Region<'m, 'a> {
 
     /// Adds the rim of the kept faces: cut edges, beyond which a face was removed, and border
     /// edges.
-    pub(super) fn add_rim(&self, scan: &Scan, [cut, border]: &mut [RegionRims; 2], job: &Job<'_>) -> Result<()> {
+    pub(super) fn add_rim(
+        &self,
+        scan: &CentredPiece,
+        [cut, border]: &mut [RegionRims; 2],
+        job: &Job<'_>,
+    ) -> Result<()> {
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
             job.step_within(f, STAGE)?;
             for ((_, u, v), &g) in half_edges(self.mesh, f).zip(self.neighbours(f)) {

@@ -6,7 +6,7 @@ use super::crossings::{add_touching, crossings};
 use super::layer::Layer;
 use super::region::{Region, RegionRims};
 use super::trim_request::{Options, Trimmed};
-use crate::align::common_unit_of;
+use crate::align::common_length_unit;
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
 use gusset_base::geom::Aabb;
@@ -59,7 +59,7 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
     for (&viewpoint, k) in options.viewpoints.iter().zip(0..) {
         Error::check_finite(Element::Point, k, viewpoint)?;
     }
-    let unit = common_unit_of(pieces, job)?;
+    let unit = common_length_unit(pieces, job)?;
     let all = pieces.iter().map(|piece| bounds(piece, unit)).fold(Aabb::EMPTY, Aabb::union);
     let origin = if all.is_empty() { glam::DVec3::ZERO } else { all.centre() };
     let count = pieces.len();

@@ -1,14 +1,14 @@
 //! The stiffness of overlaps: the directions in which they do not hold a piece.
 
-use super::motion_system::Six;
-use super::sample_pairs::PairReport;
+use super::motion_system::MotionVector;
+use super::sample_pairs::SamplePairReport;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::linear::eigen::eigen;
 
 /// The stiffness with which overlaps hold a piece.
 #[derive(Clone, Copy)]
-pub(super) struct Hold {
+pub(super) struct HoldStiffness {
     /// The least eigenvalue of the mean of the equations: the mean squared change of distances
     /// along normals, for the weakest motion of length 1.
     pub(super) least: f64,
@@ -21,8 +21,11 @@ pub(super) struct Hold {
 /// Errors of normals look like slopes that hold a piece. Suppose that both normals of a pair have
 /// errors of variance s in each direction. Then the mean of 1 minus the cosine between them is 2 s,
 /// and the variance of their mean normal is s / 2.
-pub(super) fn measure_holds(count: usize, reports: &[([usize; 2], PairReport)]) -> Result<Vec<Hold>> {
-    let mut own: Vec<([Six; 6], f64, f64)> = alloc::filled(([[0.0; 6]; 6], 0.0, 0.0), count)?;
+pub(super) fn measure_hold_stiffness(
+    count: usize,
+    reports: &[([usize; 2], SamplePairReport)],
+) -> Result<Vec<HoldStiffness>> {
+    let mut own: Vec<([MotionVector; 6], f64, f64)> = alloc::filled(([[0.0; 6]; 6], 0.0, 0.0), count)?;
     for (pieces, report) in reports {
         let equations = &report.equations;
         for (k, &piece) in pieces.iter().enumerate() {
@@ -38,9 +41,9 @@ pub(super) fn measure_holds(count: usize, reports: &[([usize; 2], PairReport)]) 
     }
     alloc::collect(own.into_iter().map(|(sum, weight, turn)| {
         if weight <= 0.0 {
-            return Hold { least: 0.0, noise: 0.0 };
+            return HoldStiffness { least: 0.0, noise: 0.0 };
         }
         let (values, _) = eigen(sum.map(|row| row.map(|x| x / weight)));
-        Hold { least: values.into_iter().fold(f64::INFINITY, f64::min).max(0.0), noise: turn / weight / 4.0 }
+        HoldStiffness { least: values.into_iter().fold(f64::INFINITY, f64::min).max(0.0), noise: turn / weight / 4.0 }
     }))
 }

@@ -29,8 +29,8 @@ impl Alignment {
             }
             let (own, job) = (first..first + piece.positions().len(), job.share(k, pieces.len()));
             match &mut whole.positions {
-                PositionBuffer::F32(points) => apply(pose, &mut points[own], first, |x| x as f32, &job)?,
-                PositionBuffer::F64(points) => apply(pose, &mut points[own], first, |x| x, &job)?,
+                PositionBuffer::F32(points) => move_points(pose, &mut points[own], first, |x| x as f32, &job)?,
+                PositionBuffer::F64(points) => move_points(pose, &mut points[own], first, |x| x, &job)?,
             }
         }
         Ok((whole, places))
@@ -38,7 +38,7 @@ impl Alignment {
 }
 
 /// Returns the pieces as views of the moved mesh, with their own faces.
-pub fn views_of<'a>(
+pub fn views_of_moved<'a>(
     (whole, places): &'a (Mesh, Vec<Piece>),
     pieces: &[MeshView<'a>],
     job: &Job<'_>,
@@ -55,7 +55,7 @@ pub fn views_of<'a>(
 }
 
 /// Moves points. The first one is vertex `first`.
-fn apply<T: Copy + Into<f64>>(
+fn move_points<T: Copy + Into<f64>>(
     pose: &Pose,
     points: &mut [[T; 3]],
     first: usize,

@@ -1,44 +1,44 @@
 //! The assessment: pairs that fit, and the pieces that are connected by them.
 
 use super::align_request::{Overlap, Reason};
-use super::freedom::measure_holds;
-use super::member::Member;
-use super::sample_pairs::PairReport;
+use super::hold_stiffness::measure_hold_stiffness;
+use super::sample_pairs::SamplePairReport;
+use super::sampled_piece::SampledPiece;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
 /// Points are near a piece within this number of spacings, ...
-pub(super) const NEAR_SPACINGS: f64 = 8.0;
+pub(super) const MAX_NEAR_SPACINGS: f64 = 8.0;
 /// ... and on it within this number.
-pub(super) const ON_SPACINGS: f64 = 1.0;
+pub(super) const MAX_ON_SURFACE_SPACINGS: f64 = 1.0;
 /// Smallest number of points on the other piece that make an overlap.
-const MIN_COUNT: usize = 30;
+const MIN_OVERLAP_POINTS: usize = 30;
 /// Smallest share of the points near a piece that must lie on it.
-const MIN_FIT: f64 = 2.0 / 3.0;
+const MIN_FITTING_SHARE: f64 = 2.0 / 3.0;
 /// Smallest stiffness that holds a piece, for any noise of the normals: the square of half a
 /// degree's sine.
-const MIN_HOLD: f64 = 7.6e-5;
+const MIN_HOLD_STIFFNESS: f64 = 7.6e-5;
 /// Largest part of the stiffness that may be noise.
-const MAX_NOISE: f64 = 0.5;
+const MAX_NOISE_SHARE: f64 = 0.5;
 /// If a piece without overlaps differs from the first piece by more than this factor in size, it
 /// probably uses another unit of length.
-const MIN_UNIT_RATIO: f64 = 50.0;
+const MIN_OTHER_UNIT_SIZE_RATIO: f64 = 50.0;
 
 /// The reason, and the stiffness with which a piece is held.
-pub(super) type Verdict = (Reason, f64);
+pub(super) type PieceVerdict = (Reason, f64);
 
 /// Returns the overlaps, and for each piece the reason and the stiffness.
-pub(super) fn judge(
-    members: &[Member<'_>],
-    reports: &[([usize; 2], PairReport)],
+pub(super) fn assess_alignment(
+    members: &[SampledPiece<'_>],
+    reports: &[([usize; 2], SamplePairReport)],
     unit: f64,
-) -> Result<(Vec<Overlap>, Vec<Verdict>)> {
+) -> Result<(Vec<Overlap>, Vec<PieceVerdict>)> {
     let mut overlaps: Vec<Overlap> = Vec::new();
     let mut opposite = alloc::filled([0usize; 2], members.len())?;
     for ([i, k], one) in reports.iter().filter(|([i, k], _)| i < k) {
         let back = reports.binary_search_by_key(&[*k, *i], |(pair, _)| *pair).ok().map(|at| &reports[at].1);
         let ways = [Some(one), back];
-        let sum = |of: &dyn Fn(&PairReport) -> f64| ways.iter().flatten().map(|report| of(report)).sum::<f64>();
+        let sum = |of: &dyn Fn(&SamplePairReport) -> f64| ways.iter().flatten().map(|report| of(report)).sum::<f64>();
         let on = sum(&|f| f.on as f64);
         let near = sum(&|f| f.near as f64);
         for piece in [*i, *k] {
@@ -48,7 +48,7 @@ pub(super) fn judge(
         if on == 0.0 {
             continue;
         }
-        let share = |report: Option<&PairReport>| report.map_or(0.0, |f| f.on as f64 / f.samples.max(1) as f64);
+        let share = |report: Option<&SamplePairReport>| report.map_or(0.0, |f| f.on as f64 / f.samples.max(1) as f64);
         let fit = on / near.max(1.0);
         alloc::push(
             &mut overlaps,
@@ -59,11 +59,11 @@ pub(super) fn judge(
                 mean: unit * sum(&|f| f.on as f64 * f.mean) / on,
                 rms: unit * (sum(&|f| f.on as f64 * f.square) / on).sqrt(),
                 fit,
-                trusted: on as usize >= MIN_COUNT && fit >= MIN_FIT,
+                trusted: on as usize >= MIN_OVERLAP_POINTS && fit >= MIN_FITTING_SHARE,
             },
         )?;
     }
-    let holds = measure_holds(members.len(), reports)?;
+    let holds = measure_hold_stiffness(members.len(), reports)?;
     let size = |k: usize| members[k].scan.bounds.diagonal();
     let mut reasons = alloc::with_capacity(members.len())?;
     for k in 0..members.len() {
@@ -73,17 +73,19 @@ pub(super) fn judge(
         let ratio = size(k).max(f64::MIN_POSITIVE) / size(0).max(f64::MIN_POSITIVE);
         let reason = if k == 0 && !members[0].scan.used.is_empty() {
             Reason::Trusted
-        } else if against > MIN_COUNT && against > 2 * with {
+        } else if against > MIN_OVERLAP_POINTS && against > 2 * with {
             Reason::FacesOtherWay
-        } else if own().all(|overlap| (overlap.count as usize) < MIN_COUNT) {
-            if (1.0 / MIN_UNIT_RATIO..=MIN_UNIT_RATIO).contains(&ratio) || members[k].scan.used.is_empty() {
+        } else if own().all(|overlap| (overlap.count as usize) < MIN_OVERLAP_POINTS) {
+            if (1.0 / MIN_OTHER_UNIT_SIZE_RATIO..=MIN_OTHER_UNIT_SIZE_RATIO).contains(&ratio)
+                || members[k].scan.used.is_empty()
+            {
                 Reason::NoOverlap
             } else {
                 Reason::OtherSize
             }
         } else if own().all(|overlap| !overlap.trusted) {
             Reason::PoorFit
-        } else if hold.least < MIN_HOLD || hold.noise > MAX_NOISE * hold.least {
+        } else if hold.least < MIN_HOLD_STIFFNESS || hold.noise > MAX_NOISE_SHARE * hold.least {
             Reason::Undetermined
         } else {
             Reason::TrustedByNone

@@ -1,39 +1,39 @@
 //! The pieces that are aligned with each other, and the pairs that are near.
 
-use super::member::Member;
 use super::pose::Pose;
-use super::rim_sample_pairs::find_rim_pairs;
-use super::sample_pairs::{PairReport, Placed, STAGE, find_sample_pairs};
+use super::rim_sample_pairs::find_rim_sample_pairs;
+use super::sample_pairs::{PosedPiece, STAGE, SamplePairReport, find_sample_pairs};
+use super::sampled_piece::SampledPiece;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::par;
 
 /// Smallest number of pairs that couples two pieces.
-pub(super) const MIN_PAIRS: usize = 10;
+pub(super) const MIN_COUPLING_PAIRS: usize = 10;
 
 /// The pieces that are aligned with each other.
-pub(super) struct Scene<'a> {
-    pub(super) members: Vec<Member<'a>>,
+pub(super) struct AlignmentScene<'a> {
+    pub(super) members: Vec<SampledPiece<'a>>,
     /// The largest distance of a pair of points.
     pub(super) reach: f64,
 }
 
 /// A search for the samples of one piece on another, up to a distance.
 #[derive(Clone, Copy)]
-pub(super) struct Look {
+pub(super) struct PairSearch {
     pub(super) pieces: [usize; 2],
     pub(super) gate: f64,
 }
 
-impl<'a> Scene<'a> {
+impl<'a> AlignmentScene<'a> {
     /// Returns a scene of two of the pieces.
-    pub(super) fn pair(&self, i: usize, k: usize) -> Result<Scene<'a>> {
-        Ok(Scene { members: alloc::collect([i, k].map(|k| self.members[k]).into_iter())?, reach: self.reach })
+    pub(super) fn scene_of_two(&self, i: usize, k: usize) -> Result<AlignmentScene<'a>> {
+        Ok(AlignmentScene { members: alloc::collect([i, k].map(|k| self.members[k]).into_iter())?, reach: self.reach })
     }
 
     /// Returns the spacing of the coarser of two pieces.
-    pub(super) fn spacing(&self, pieces: [usize; 2]) -> f64 {
+    pub(super) fn coarser_spacing(&self, pieces: [usize; 2]) -> f64 {
         let [a, b] = pieces.map(|k| {
             let member = &self.members[k];
             member.rim.map_or(member.scan.spacing, |(rim, _)| rim.step)
@@ -42,7 +42,7 @@ impl<'a> Scene<'a> {
     }
 
     /// Returns the searches between pieces that are near enough, in both directions.
-    pub(super) fn searches(&self, poses: &[Pose]) -> Result<Vec<Look>> {
+    pub(super) fn searches_of_near_pieces(&self, poses: &[Pose]) -> Result<Vec<PairSearch>> {
         let bounds = |k: usize| &self.members[k].scan.bounds;
         let is_there = |k: usize| !self.members[k].scan.used.is_empty();
         let is_near = |[i, k]: [usize; 2]| {
@@ -52,25 +52,25 @@ impl<'a> Scene<'a> {
         let count = self.members.len();
         let all = (0..count).flat_map(|i| (0..count).map(move |k| [i, k]));
         let near = all.filter(|&[i, k]| i != k && is_there(i) && is_there(k) && is_near([i, k]));
-        alloc::gather(near.map(|pieces| Look { pieces, gate: self.reach }))
+        alloc::gather(near.map(|pieces| PairSearch { pieces, gate: self.reach }))
     }
 
     /// Runs the searches, each with every `part`-th sample. Points within `on` spacings are on a
     /// surface.
-    pub(super) fn find(
+    pub(super) fn run_searches(
         &self,
         poses: &[Pose],
-        looks: &[Look],
+        looks: &[PairSearch],
         part: usize,
         on: f64,
         job: &Job<'_>,
-    ) -> Result<Vec<([usize; 2], PairReport)>> {
+    ) -> Result<Vec<([usize; 2], SamplePairReport)>> {
         let reports = par::map_jobs(job, STAGE, looks.iter(), |look_at, job| {
-            let [a, b] = look_at.pieces.map(|k| Placed { member: &self.members[k], pose: poses[k] });
-            let reach = on * self.spacing(look_at.pieces);
+            let [a, b] = look_at.pieces.map(|k| PosedPiece { member: &self.members[k], pose: poses[k] });
+            let reach = on * self.coarser_spacing(look_at.pieces);
             let samples = a.member.samples;
             match (a.member.rim, b.member.rim) {
-                (Some((rim, _)), Some(other)) => find_rim_pairs(&a, rim, &b, other, look_at.gate, reach, job),
+                (Some((rim, _)), Some(other)) => find_rim_sample_pairs(&a, rim, &b, other, look_at.gate, reach, job),
                 _ => find_sample_pairs(&a, samples.iter().step_by(part), &b, look_at.gate, reach, job),
             }
         })?;
@@ -78,16 +78,16 @@ impl<'a> Scene<'a> {
     }
 
     /// Searches between all near pieces, within this number of spacings.
-    pub(super) fn find_within(
+    pub(super) fn search_near_pieces_within(
         &self,
         poses: &[Pose],
         within: f64,
         on: f64,
         job: &Job<'_>,
-    ) -> Result<Vec<([usize; 2], PairReport)>> {
-        let mut looks = self.searches(poses)?;
+    ) -> Result<Vec<([usize; 2], SamplePairReport)>> {
+        let mut looks = self.searches_of_near_pieces(poses)?;
         // The gate does not exceed the reach.
-        looks.iter_mut().for_each(|look| look.gate = (within * self.spacing(look.pieces)).min(self.reach));
-        self.find(poses, &looks, 1, on, job)
+        looks.iter_mut().for_each(|look| look.gate = (within * self.coarser_spacing(look.pieces)).min(self.reach));
+        self.run_searches(poses, &looks, 1, on, job)
     }
 }

@@ -15,7 +15,7 @@ const STAGE: &str = "looking at the pieces";
 const SMOOTHING_PASSES: usize = 3;
 
 /// A piece with positions relative to its own centre, in the common unit.
-pub(crate) struct Scan {
+pub(crate) struct CentredPiece {
     /// The positions of vertices that faces use; the centre for other vertices.
     pub(crate) points: Vec<DVec3>,
     /// The unit normals; 0 for vertices without a face of positive area.
@@ -38,9 +38,9 @@ pub(crate) struct Scan {
     pub(crate) spacing: f64,
 }
 
-impl Scan {
+impl CentredPiece {
     /// Prepares a piece. `centre` replaces the centre of the piece's box. O(H log V).
-    pub(crate) fn new(mesh: &MeshView<'_>, unit: f64, centre: Option<DVec3>, job: &Job<'_>) -> Result<Scan> {
+    pub(crate) fn new(mesh: &MeshView<'_>, unit: f64, centre: Option<DVec3>, job: &Job<'_>) -> Result<CentredPiece> {
         let count = mesh.positions().len();
         job.step(0.0, STAGE)?;
         let at = |v: u32| mesh.positions().get(v) / unit;
@@ -62,13 +62,13 @@ impl Scan {
         for h in topology.border(&job.part(0.4, 0.4))? {
             [h, mesh.faces().next(h)].into_iter().for_each(|h| rim.insert(mesh.faces().corner(h)));
         }
-        let (normals, spacing) = normals(mesh, &points, &job.part(0.4, 0.8))?;
+        let (normals, spacing) = smoothed_vertex_normals(mesh, &points, &job.part(0.4, 0.8))?;
         job.step(0.8, STAGE)?;
         let bounds = Aabb::from_points((0..count).filter(|&v| normals[v] != DVec3::ZERO).map(|v| points[v]));
         let used = alloc::gather((0..count as u32).filter(|&v| normals[v as usize] != DVec3::ZERO))?;
-        let (mean, covariance) = moments(mesh, &points, &job.part(0.8, 1.0))?;
+        let (mean, covariance) = mean_and_covariance_of_corners(mesh, &points, &job.part(0.8, 1.0))?;
         let radius = (0..3).map(|k| covariance[k][k]).sum::<f64>().sqrt();
-        Ok(Scan { points, normals, rim, used, centre, bounds, mean, covariance, radius, spacing })
+        Ok(CentredPiece { points, normals, rim, used, centre, bounds, mean, covariance, radius, spacing })
     }
 
     /// Returns a tree over the points.
@@ -77,7 +77,7 @@ impl Scan {
     }
 
     /// Returns up to `count` vertices that are not on a rim, spread evenly over `order`.
-    pub(crate) fn samples(&self, order: &[u32], count: usize) -> Result<Vec<u32>> {
+    pub(crate) fn choose_samples(&self, order: &[u32], count: usize) -> Result<Vec<u32>> {
         let inside = |&&v: &&u32| self.normals[v as usize] != DVec3::ZERO && !self.rim.contains(v);
         let all = alloc::gather(order.iter().filter(inside).copied())?;
         let count = count.min(all.len());
@@ -87,7 +87,7 @@ impl Scan {
 
 /// Returns the normals of vertices, weighted by the areas of their faces and smoothed over their
 /// neighbours, and the mean length of the sides.
-fn normals(mesh: &MeshView<'_>, points: &[DVec3], job: &Job<'_>) -> Result<(Vec<DVec3>, f64)> {
+fn smoothed_vertex_normals(mesh: &MeshView<'_>, points: &[DVec3], job: &Job<'_>) -> Result<(Vec<DVec3>, f64)> {
     let mut normals = alloc::filled(DVec3::ZERO, points.len())?;
     let (mut length, mut sides) = (0.0, 0.0);
     for f in 0..mesh.faces().len() {
@@ -121,7 +121,11 @@ fn normals(mesh: &MeshView<'_>, points: &[DVec3], job: &Job<'_>) -> Result<(Vec<
 }
 
 /// Returns the mean and the covariance of the faces' corners, weighted by area.
-fn moments(mesh: &MeshView<'_>, points: &[DVec3], job: &Job<'_>) -> Result<(DVec3, [[f64; 3]; 3])> {
+fn mean_and_covariance_of_corners(
+    mesh: &MeshView<'_>,
+    points: &[DVec3],
+    job: &Job<'_>,
+) -> Result<(DVec3, [[f64; 3]; 3])> {
     let (mut sum, mut area) = (DVec3::ZERO, 0.0);
     let mut square = [[0.0; 3]; 3];
     for f in 0..mesh.faces().len() {

@@ -1,7 +1,7 @@
 //! The combined pieces: welded, oriented, and finally filled and turned outwards.
 
 use super::assemble_request::{Assembly, Options};
-use super::history::History;
+use super::origin_history::History;
 use crate::boundary::{self, boundary_loops};
 use crate::fill::{self, Selection, fill_holes};
 use crate::repair::orient::{self, Outward, turn_outwards};
@@ -15,7 +15,7 @@ use gusset_base::job::Job;
 use gusset_mesh::{Defect, MeshView, NONE, concat};
 
 /// The combined pieces, welded and oriented.
-pub(super) struct Base {
+pub(super) struct CombinedPieces {
     pub(super) assembly: Assembly,
     /// For each vertex of the mesh, the first piece that it comes from.
     pub(super) piece: Vec<u32>,
@@ -25,7 +25,7 @@ pub(super) struct Base {
     pub(super) alike: Vec<[u32; 2]>,
 }
 
-impl Base {
+impl CombinedPieces {
     /// Combines the pieces. `trimmed` has the remaining parts of the pieces if they were trimmed.
     pub(super) fn new(
         pieces: &[MeshView<'_>],
@@ -36,7 +36,7 @@ impl Base {
         let start = &job.part(0.0, 0.0);
         let Remains { mut mesh, places, mut vertex_map, mut face_map, faces, corners } = match trimmed {
             Some(trimmed) => Remains::new(pieces, trimmed, start)?,
-            None => untrimmed(pieces, start)?,
+            None => pieces_side_by_side(pieces, start)?,
         };
         let trimmed_faces = face_map.iter().filter(|&&f| f == NONE).count() as u32;
         let (mut welded_vertices, mut sewn_edges, mut splits) = (0, 0, 0);
@@ -56,10 +56,10 @@ impl Base {
             through(&mut face_map, &sewn.face_map);
             (mesh, seam) = (sewn.mesh, sewn.seam_vertices);
             (history.corner_origins, history.face_origin) = (sewn.corner_origins, Some(sewn.face_origin));
-            history.add(sewn.new_vertices.iter().map(|&([a, b], at)| ([a, b, b], [1.0 - at, at, 0.0])))?;
+            history.add_parents(sewn.new_vertices.iter().map(|&([a, b], at)| ([a, b, b], [1.0 - at, at, 0.0])))?;
         }
         if trimmed.is_some() {
-            history.before_trimming(faces, corners);
+            history.compose_with_trimming(faces, corners);
         }
         let mut turned = alloc::filled(false, mesh.face_count())?;
         let mut one_sided = Vec::new();
@@ -99,12 +99,12 @@ impl Base {
             non_manifold_edges: 0,
         };
         let alike = trimmed.map_or(Ok(Vec::new()), |trimmed| alloc::copied(&trimmed.pairs))?;
-        Ok(Base { assembly: done, piece, seam, alike })
+        Ok(CombinedPieces { assembly: done, piece, seam, alike })
     }
 
     /// Fills and turns, as the options request. Also returns the pairs of faces that patches
     /// intersect.
-    pub(super) fn finish(self, options: &Options<'_>, job: &Job<'_>) -> Result<(Assembly, Vec<[u32; 2]>)> {
+    pub(super) fn fill_and_turn(self, options: &Options<'_>, job: &Job<'_>) -> Result<(Assembly, Vec<[u32; 2]>)> {
         let mut assembly = self.assembly;
         let mut cuts = Vec::new();
         if assembly.mesh.face_count() == 0 {
@@ -121,7 +121,7 @@ impl Base {
                 fill_holes(&assembly.mesh.view(&job.part(0.0, 0.1))?, Selection::All, &how, &job.part(0.1, 0.4))?;
             (assembly.mesh, assembly.holes, assembly.hole_rims) = (filled.mesh, filled.holes, filled.rims);
             cuts = filled.intersections.unwrap_or_default();
-            assembly.history.add(filled.parents.into_iter().zip(filled.weights))?;
+            assembly.history.add_parents(filled.parents.into_iter().zip(filled.weights))?;
         }
         if options.outward == Outward::Closed && !options.keep_orientation {
             let outwards = turn_outwards(&mut assembly.mesh, &job.part(0.4, 0.6))?;
@@ -146,7 +146,7 @@ impl Base {
 }
 
 /// Places the pieces side by side. All faces and corners remain, so their origins are empty.
-fn untrimmed(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Remains> {
+fn pieces_side_by_side(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Remains> {
     let (mesh, places) = concat::concatenate(pieces, job)?;
     let vertex_map = alloc::collect(0..mesh.positions.len() as u32)?;
     let face_map = alloc::collect(0..mesh.face_count() as u32)?;

@@ -33,7 +33,7 @@ impl History {
 
     /// Composes this history with the trimming before it. `faces` and `corners` are the origins of
     /// the elements that trimming kept.
-    pub(super) fn before_trimming(&mut self, faces: Vec<u32>, corners: Vec<u32>) {
+    pub(super) fn compose_with_trimming(&mut self, faces: Vec<u32>, corners: Vec<u32>) {
         match &mut self.face_origin {
             Some(origin) => origin.iter_mut().for_each(|f| *f = faces[*f as usize]),
             None => self.face_origin = Some(faces),
@@ -45,7 +45,7 @@ impl History {
     }
 
     /// Adds the parents of new vertices.
-    pub(super) fn add(&mut self, new: impl ExactSizeIterator<Item = ([u32; 3], [f64; 3])>) -> Result<()> {
+    pub(super) fn add_parents(&mut self, new: impl ExactSizeIterator<Item = ([u32; 3], [f64; 3])>) -> Result<()> {
         for (parents, weights) in new {
             alloc::push(&mut self.parents, parents)?;
             alloc::push(&mut self.weights, weights)?;

@@ -1,13 +1,13 @@
 //! A piece in an alignment, with its samples.
 
+use super::centred_piece::CentredPiece;
 use super::sampled_rim::SampledRim;
-use super::scan::Scan;
 use gusset_base::geom::kd_tree::KdTree;
 
 /// A piece with its search structures and samples.
 #[derive(Clone, Copy)]
-pub(super) struct Member<'a> {
-    pub(super) scan: &'a Scan,
+pub(super) struct SampledPiece<'a> {
+    pub(super) scan: &'a CentredPiece,
     pub(super) tree: &'a KdTree<'a>,
     /// The vertices to look for on other pieces, in spatial order.
     pub(super) samples: &'a [u32],

@@ -9,22 +9,22 @@ use gusset_base::sort::sort_distinct;
 
 /// Edges between vertices of loops, each listed from both ends. The rims of an edge are looked up
 /// on demand: an edge between two vertices of many loops would join each pair of them.
-pub(super) struct Edges {
+pub(super) struct LoopEdges {
     /// The edges, in ascending order.
     pub(super) edges: Vec<(u32, u32)>,
     /// Pairs of a vertex and a loop through it, in ascending order.
     pub(super) places: Vec<(u32, u32)>,
 }
 
-impl Edges {
+impl LoopEdges {
     /// Appends an edge from both ends.
-    pub(super) fn add(&mut self, u: u32, v: u32) -> Result<()> {
+    pub(super) fn add_edge(&mut self, u: u32, v: u32) -> Result<()> {
         alloc::extend(&mut self.edges, [(u, v), (v, u)])
     }
 
     /// Adds the edges of a strip between vertices of its rims: where loops touch, another strip
     /// could repeat them.
-    pub(super) fn add_strip(&mut self, strip: &Strip) -> Result<()> {
+    pub(super) fn add_strip_edges(&mut self, strip: &Strip) -> Result<()> {
         let before = self.edges.len();
         let rims = strip.rim_count();
         let name = |k: u32| match (k as usize).checked_sub(strip.a.vertices.len()) {
@@ -34,8 +34,8 @@ impl Edges {
         let sides = strip.faces.iter().flat_map(|face| face.iter().zip(face.iter().cycle().skip(1)));
         for (&k, &j) in sides.filter(|&(&k, &j)| (k.max(j) as usize) < rims) {
             let [u, v] = [name(k), name(j)];
-            if [u, v].iter().all(|&v| entries_of(&self.places, v).len() > 1) {
-                self.add(u, v)?;
+            if [u, v].iter().all(|&v| entries_of_vertex(&self.places, v).len() > 1) {
+                self.add_edge(u, v)?;
             }
         }
         if self.edges.len() > before {
@@ -57,7 +57,7 @@ impl Edges {
         let other = rims[1] as u32;
         let mut edges = Vec::new();
         for &u in &a.vertices {
-            let from_u = entries_of(&self.edges, u);
+            let from_u = entries_of_vertex(&self.edges, u);
             if from_u.len() <= b.vertices.len() {
                 let on_other = |v: u32| self.places.binary_search(&(v, other)).is_ok();
                 alloc::extend(&mut edges, from_u.iter().copied().filter(|&(_, v)| on_other(v)))?;
@@ -73,7 +73,7 @@ impl Edges {
 }
 
 /// Returns the entries of `vertex` in an ascending list of places or edges.
-pub(super) fn entries_of(entries: &[(u32, u32)], vertex: u32) -> &[(u32, u32)] {
+pub(super) fn entries_of_vertex(entries: &[(u32, u32)], vertex: u32) -> &[(u32, u32)] {
     let from = entries.partition_point(|&(v, _)| v < vertex);
     let count = entries[from..].partition_point(|&(v, _)| v == vertex);
     &entries[from..from + count]

@@ -1,9 +1,9 @@
 //! The rounds: pairs are searched and the best motions applied, until nothing moves.
 
+use super::alignment_scene::{AlignmentScene, MIN_COUPLING_PAIRS};
 use super::motion_system::MotionSystem;
 use super::pose::Pose;
-use super::sample_pairs::PairReport;
-use super::scene::{MIN_PAIRS, Scene};
+use super::sample_pairs::SamplePairReport;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -11,32 +11,33 @@ use gusset_base::geom::disjoint_sets::DisjointSets;
 use gusset_base::job::Job;
 
 /// The gate is this multiple of the distance of pairs in the previous round.
-const GATE_RATIO: f64 = 3.0;
+const GATE_TO_PAIR_DISTANCE_RATIO: f64 = 3.0;
 /// In the first stage every fourth sample is used, in the second all.
 const SAMPLE_STRIDES: [usize; 2] = [4, 1];
 /// A stage ends if every point moves by at most this fraction of the spacing.
-const MAX_STILL_MOTION: [f64; 2] = [0.05, 0.001];
+const MAX_RESTING_MOTION_SPACINGS: [f64; 2] = [0.05, 0.001];
 
-impl Scene<'_> {
+impl AlignmentScene<'_> {
     /// Moves the pieces until nothing moves, or for the given number of rounds in each of two
     /// stages. In each connected set of pieces the first is fixed. Returns the number of rounds,
     /// and whether nothing moved at the end.
-    pub(super) fn relax(&self, poses: &mut [Pose], rounds: u32, job: &Job<'_>) -> Result<(u32, bool)> {
+    pub(super) fn relax_poses(&self, poses: &mut [Pose], rounds: u32, job: &Job<'_>) -> Result<(u32, bool)> {
         let (mut done, mut is_still) = (0, true);
         for stage in 0..SAMPLE_STRIDES.len() {
-            let mut looks = self.searches(poses)?;
+            let mut looks = self.searches_of_near_pieces(poses)?;
             let job = job.share(stage, SAMPLE_STRIDES.len());
             for round in 0..rounds {
                 let part = job.share(round as usize, rounds as usize);
-                let reports = self.find(poses, &looks, SAMPLE_STRIDES[stage], 1.0, &part)?;
+                let reports = self.run_searches(poses, &looks, SAMPLE_STRIDES[stage], 1.0, &part)?;
                 for (look, (_, report)) in looks.iter_mut().zip(&reports) {
                     look.gate = match report.near {
-                        n if n < MIN_PAIRS => self.reach,
-                        _ => (GATE_RATIO * report.distance.max(self.spacing(look.pieces))).min(self.reach),
+                        n if n < MIN_COUPLING_PAIRS => self.reach,
+                        _ => (GATE_TO_PAIR_DISTANCE_RATIO * report.distance.max(self.coarser_spacing(look.pieces)))
+                            .min(self.reach),
                     };
                 }
                 done += 1;
-                is_still = self.step(poses, &reports)? <= MAX_STILL_MOTION[stage];
+                is_still = self.move_to_best_fit(poses, &reports)? <= MAX_RESTING_MOTION_SPACINGS[stage];
                 if is_still {
                     break;
                 }
@@ -47,10 +48,10 @@ impl Scene<'_> {
 
     /// Applies the motions that fit the pairs best. Returns the largest motion of a point, in
     /// spacings.
-    fn step(&self, poses: &mut [Pose], reports: &[([usize; 2], PairReport)]) -> Result<f64> {
+    fn move_to_best_fit(&self, poses: &mut [Pose], reports: &[([usize; 2], SamplePairReport)]) -> Result<f64> {
         let count = self.members.len();
         let mut together = DisjointSets::new(count)?;
-        let enough = |report: &&([usize; 2], PairReport)| report.1.near >= MIN_PAIRS;
+        let enough = |report: &&([usize; 2], SamplePairReport)| report.1.near >= MIN_COUPLING_PAIRS;
         for ([i, k], _) in reports.iter().filter(enough) {
             together.union(*i as u32, *k as u32);
         }
@@ -62,7 +63,7 @@ impl Scene<'_> {
         }
         let mut system = MotionSystem::new(&stays)?;
         for (pair, report) in reports.iter().filter(enough) {
-            system.add(*pair, &report.equations)?;
+            system.add_pair_equations(*pair, &report.equations)?;
         }
         let mut moved = 0.0f64;
         for (k, [a, b, c, x, y, z]) in system.solve()?.into_iter().enumerate() {
@@ -71,8 +72,8 @@ impl Scene<'_> {
             if stays[k] || !turn.is_finite() || !shift.is_finite() {
                 continue;
             }
-            let step = Pose::turn_about(poses[k].point(scan.mean), turn, shift);
-            poses[k] = poses[k].then(&step).orthonormalised();
+            let step = Pose::rotation_about(poses[k].point(scan.mean), turn, shift);
+            poses[k] = poses[k].then(&step).with_orthonormal_axes();
             moved = moved.max((turn.length() * scan.bounds.diagonal() + shift.length()) / scan.spacing);
         }
         Ok(moved)

@@ -12,7 +12,7 @@ use std::ops::Range;
 
 /// A patch that intersects other faces.
 #[derive(Debug, Clone, PartialEq)]
-struct CutPatch {
+struct IntersectingPatch {
     faces: Range<u32>,
     /// The number of vertices on its rims.
     rim: usize,
@@ -22,26 +22,31 @@ struct CutPatch {
     part: usize,
 }
 
-impl CutPatch {
+impl IntersectingPatch {
     /// Returns true if the rim surrounds most of the part that the patch closes, rather than a gap
     /// or a hole in it. A disc of F triangles has a rim of about 2.3 sqrt(F) edges, and a square
     /// 2.8 sqrt(F).
-    fn lies_on_surface(&self) -> bool {
+    fn covers_surface(&self) -> bool {
         2 * self.beside <= self.rim && self.rim * self.rim > 2 * self.part
     }
 }
 
 /// The intersecting patches, in the order of their faces.
-struct CutPatches(Vec<CutPatch>);
+struct IntersectingPatches(Vec<IntersectingPatch>);
 
-impl CutPatches {
+impl IntersectingPatches {
     /// Collects the intersecting patches. `beside` is the set of vertices beside trimmed faces.
     /// `size` returns the number of faces of a vertex's part. O(size + c log c) for c
     /// intersections.
-    fn new(done: &Assembly, cuts: &[[u32; 2]], beside: &BitSet, size: impl Fn(u32) -> u32) -> Result<CutPatches> {
+    fn new(
+        done: &Assembly,
+        cuts: &[[u32; 2]],
+        beside: &BitSet,
+        size: impl Fn(u32) -> u32,
+    ) -> Result<IntersectingPatches> {
         let mut cutting = alloc::copied(cuts.as_flattened())?;
         cutting.sort_unstable();
-        let mut patches: Vec<CutPatch> = Vec::new();
+        let mut patches: Vec<IntersectingPatch> = Vec::new();
         let patched = done.holes.iter().filter(|hole| !hole.faces.is_empty());
         let mut holes = alloc::gather(patched)?;
         holes.sort_unstable_by_key(|hole| (hole.faces.start, hole.rim.start));
@@ -52,7 +57,7 @@ impl CutPatches {
             }
             // Several loops may share a patch.
             if patches.last().is_none_or(|patch| patch.faces != hole.faces) {
-                alloc::push(&mut patches, CutPatch { faces: hole.faces.clone(), rim: 0, beside: 0, part: 0 })?;
+                alloc::push(&mut patches, IntersectingPatch { faces: hole.faces.clone(), rim: 0, beside: 0, part: 0 })?;
             }
             let last = patches.len() - 1;
             let rim = &done.hole_rims[hole.rim.clone()];
@@ -60,11 +65,11 @@ impl CutPatches {
             patches[last].part = patches[last].part.max(rim.first().map_or(0, |&v| size(v) as usize));
             patches[last].beside += rim.iter().filter(|&&v| beside.contains(v)).count();
         }
-        Ok(CutPatches(patches))
+        Ok(IntersectingPatches(patches))
     }
 
     /// Returns the intersecting patch of a face, if any.
-    fn cutting(&self, face: u32) -> Option<&CutPatch> {
+    fn intersecting_patch_of_face(&self, face: u32) -> Option<&IntersectingPatch> {
         let after = self.0.partition_point(|patch| patch.faces.start <= face);
         self.0[..after].last().filter(|patch| patch.faces.contains(&face))
     }
@@ -72,7 +77,7 @@ impl CutPatches {
 
 /// The faces to remove: small parts that were cut and stay unjoined, and one ring of faces around
 /// the patches and strips that intersect.
-pub(super) struct Removals {
+pub(super) struct FaceRemovals {
     /// Vertices of the result whose faces are removed.
     vertices: BitSet,
     /// Faces of the result on unjoined parts.
@@ -81,7 +86,7 @@ pub(super) struct Removals {
     parts: bool,
 }
 
-impl Removals {
+impl FaceRemovals {
     /// Selects the faces to remove. `cuts` are pairs of intersecting faces. Parts with fewer than
     /// `least` faces are small. If `whole`, the faces at whole rims of intersecting patches are
     /// removed. O(size).
@@ -92,7 +97,7 @@ impl Removals {
         least: u32,
         whole: bool,
         job: &Job<'_>,
-    ) -> Result<Removals> {
+    ) -> Result<FaceRemovals> {
         let mesh = &done.mesh;
         let old = done.turned.len();
         let mut spoilt = BitSet::new(mesh.positions.len())?;
@@ -120,10 +125,11 @@ impl Removals {
         // Mark the corners of intersecting faces, and whole rims of patches if that did not
         // suffice. A patch over the border of an open surface lies on it: ignore it.
         let size = |v: u32| sizes[roots[v as usize] as usize];
-        let patches = CutPatches::new(done, cuts, &beside, size)?;
+        let patches = IntersectingPatches::new(done, cuts, &beside, size)?;
         let mut is_spoilt = false;
         for pair in cuts {
-            if pair.iter().filter_map(|&f| patches.cutting(f)).any(CutPatch::lies_on_surface) {
+            if pair.iter().filter_map(|&f| patches.intersecting_patch_of_face(f)).any(IntersectingPatch::covers_surface)
+            {
                 continue;
             }
             is_spoilt = true;
@@ -133,7 +139,10 @@ impl Removals {
             }
         }
         for hole in &done.holes {
-            if patches.cutting(hole.faces.start).is_some_and(|patch| whole && !patch.lies_on_surface()) {
+            if patches
+                .intersecting_patch_of_face(hole.faces.start)
+                .is_some_and(|patch| whole && !patch.covers_surface())
+            {
                 done.hole_rims[hole.rim.clone()].iter().for_each(|&v| spoilt.insert(v));
             }
         }
@@ -150,7 +159,7 @@ impl Removals {
                 alone.insert(f as u32);
             }
         }
-        Ok(Removals { vertices: spoilt, alone, cuts: is_spoilt, parts: parts_alone })
+        Ok(FaceRemovals { vertices: spoilt, alone, cuts: is_spoilt, parts: parts_alone })
     }
 
     /// Returns true if there are unjoined parts.
