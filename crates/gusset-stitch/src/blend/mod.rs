@@ -21,13 +21,13 @@
 //!
 //! | file | subject |
 //! |---|---|
-//! | [`ring`](self) | the old faces around the rims |
-//! | [`plan`](self) | the steps |
+//! | [`old_ring`](self) | the old faces around the rims |
+//! | [`blend_plan`](self) | the steps |
 //! | [`fold_free_moves`](self) | vertex moves without folds |
 
 mod fold_free_moves;
-mod plan;
-mod ring;
+mod blend_plan;
+mod old_ring;
 
-pub(crate) use plan::{FairingWay, Plan, VertexLimits};
-pub(crate) use ring::{Beyond, MAX_FAN_TRIANGLES, OldRing};
+pub(crate) use blend_plan::{BlendFairing, BlendPlan, NewVertexLimits};
+pub(crate) use old_ring::{MAX_FAN_TRIANGLES, OldRing, SecondRing};

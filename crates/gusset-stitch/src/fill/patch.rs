@@ -7,7 +7,7 @@ use super::fill_request::{Fairing, Finish, Options, Refinement, Weight};
 use super::loops::triangulate_together;
 use super::patch_rim::PatchRim;
 use super::search::{MAX_EXACT, minimum_weight};
-use crate::blend::{self, FairingWay, VertexLimits};
+use crate::blend::{self, BlendFairing, NewVertexLimits};
 use crate::remesh::PatchMesh;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -22,11 +22,11 @@ const MAX_NEW_VERTICES: u32 = 50_000;
 /// caller sets none.
 const MAX_NEW_AT_RIM: u32 = 4;
 /// The fairing attempts for blends, in order, until nothing intersects.
-const WAYS: [FairingWay; 4] = [
-    FairingWay { rounds: 4, unfolds: false },
-    FairingWay { rounds: 4, unfolds: true },
-    FairingWay { rounds: 1, unfolds: true },
-    FairingWay::UNFAIRED,
+const WAYS: [BlendFairing; 4] = [
+    BlendFairing { rounds: 4, unfolds: false },
+    BlendFairing { rounds: 4, unfolds: true },
+    BlendFairing { rounds: 1, unfolds: true },
+    BlendFairing::WITHOUT_FAIRING,
 ];
 /// Faired vertices stay in the rim's box, enlarged on all sides by this fraction of its diagonal.
 pub(super) const MAX_BULGE: f64 = 0.5;
@@ -36,7 +36,7 @@ pub(super) const MAX_BULGE: f64 = 0.5;
 pub(super) struct Attempt {
     pub(super) weight: Weight,
     /// How the blend is faired; `None` for a patch without new vertices.
-    way: Option<FairingWay>,
+    way: Option<BlendFairing>,
     /// True if creases of the old surface are continued. Without creases the attempt fails.
     creased: bool,
 }
@@ -51,7 +51,7 @@ impl Attempt {
     pub(super) fn finish(self) -> Finish {
         match self.way {
             None => Finish::Plain,
-            Some(FairingWay::UNFAIRED) => Finish::Refined,
+            Some(BlendFairing::WITHOUT_FAIRING) => Finish::Refined,
             Some(_) => Finish::Faired,
         }
     }
@@ -61,9 +61,9 @@ impl Attempt {
 pub(super) fn attempts(options: &Options) -> Vec<Attempt> {
     let mut weights = vec![options.weight];
     weights.extend(Weight::CHOICES.values.iter().copied().filter(|&weight| weight != options.weight));
-    let blends: &[FairingWay] = match (options.refinement, options.fairing) {
+    let blends: &[BlendFairing] = match (options.refinement, options.fairing) {
         (Refinement::None, _) => &[],
-        (Refinement::RimDensity(_), Fairing::None) => &[FairingWay::UNFAIRED],
+        (Refinement::RimDensity(_), Fairing::None) => &[BlendFairing::WITHOUT_FAIRING],
         (Refinement::RimDensity(_), Fairing::ThinPlate) => &WAYS,
     };
     let mut ways = Vec::new();
@@ -99,7 +99,7 @@ pub(super) struct Planner<'a, T: Fn(u32, u32) -> bool> {
     taken: &'a T,
     /// The last triangulation, and the plan of the blends based on it.
     coarse: Option<(Weight, Vec<[u32; 3]>)>,
-    plan: Option<blend::Plan<&'a T>>,
+    plan: Option<blend::BlendPlan<&'a T>>,
 }
 
 impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
@@ -134,7 +134,7 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
             (self.options.refinement, &self.plan, attempt.way.is_some())
         {
             let copy = alloc::copied(coarse)?;
-            self.plan = blend::Plan::new(
+            self.plan = blend::BlendPlan::new(
                 rim.old_ring(self.options.continuity)?,
                 copy,
                 vertex_limits(limit),
@@ -150,11 +150,11 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
             let triangles = alloc::copied(&coarse)?;
             return Ok(Some(Patch { points: Vec::new(), unfaired: Vec::new(), coarse, triangles }));
         };
-        let made = plan.blend(way, &job.part(0.6, 1.0))?;
+        let made = plan.create_blend(way, &job.part(0.6, 1.0))?;
         if !is_near(rim, &made.points) {
             return Ok(None);
         }
-        if way != FairingWay::UNFAIRED {
+        if way != BlendFairing::WITHOUT_FAIRING {
             return Ok(Some(Patch { points: made.points, unfaired: made.unfaired, coarse, triangles: made.triangles }));
         }
         // Flips and moves cut the corners of a bent triangulation. Project the vertices back onto
@@ -187,8 +187,8 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
             let first = rim.count + patch.points.len();
             if let Some((way, limits)) = attempt.way.zip(limits) {
                 let new = (u64::from(limits.new / 2) * part.names.len() as u64 / all as u64).max(1) as u32;
-                let limits = VertexLimits { new, ..limits };
-                let plan = blend::Plan::new(
+                let limits = NewVertexLimits { new, ..limits };
+                let plan = blend::BlendPlan::new(
                     part.rim.old_ring(self.options.continuity)?,
                     triangles,
                     limits,
@@ -198,8 +198,8 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
                 let Some(plan) = plan else {
                     return Ok(None);
                 };
-                let made = plan.blend(way, &job.part(0.6, 1.0))?;
-                let unfaired = if way == FairingWay::UNFAIRED { &made.points } else { &made.unfaired };
+                let made = plan.create_blend(way, &job.part(0.6, 1.0))?;
+                let unfaired = if way == BlendFairing::WITHOUT_FAIRING { &made.points } else { &made.unfaired };
                 alloc::append(&mut patch.points, &made.points)?;
                 alloc::append(&mut patch.unfaired, unfaired)?;
                 triangles = made.triangles;
@@ -215,9 +215,9 @@ impl<'a, T: Fn(u32, u32) -> bool> Planner<'a, T> {
 }
 
 /// Returns the limits on new vertices for the caller's `limit`, or for 0.
-fn vertex_limits(limit: u32) -> VertexLimits {
+fn vertex_limits(limit: u32) -> NewVertexLimits {
     let [new, at_rim] = if limit == 0 { [MAX_NEW_VERTICES, MAX_NEW_AT_RIM] } else { [limit, 0] };
-    VertexLimits { new, at_rim, growth: f64::INFINITY }
+    NewVertexLimits { new, at_rim, growth: f64::INFINITY }
 }
 
 /// Returns the nearest point on the triangles for each point.

@@ -1,7 +1,7 @@
 //! The loops of one patch and the faces around them, with their own vertex numbers.
 
 use super::weigh::Polygon;
-use crate::blend::{Beyond, MAX_FAN_TRIANGLES, OldRing};
+use crate::blend::{MAX_FAN_TRIANGLES, OldRing, SecondRing};
 use crate::fair::Continuity;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -136,9 +136,9 @@ impl PatchRim {
 
     /// Returns the faces beyond the rim. A vertex outside the rim gets a Laplacian only if its
     /// one-ring is complete.
-    fn beyond(&self, continuity: Continuity) -> Result<Beyond> {
+    fn beyond(&self, continuity: Continuity) -> Result<SecondRing> {
         if continuity == Continuity::C1 {
-            return Ok(Beyond::default());
+            return Ok(SecondRing::default());
         }
         let triangles = self.around.iter().chain(&self.beyond);
         let mut sides = alloc::with_capacity(3 * (self.around.len() + self.beyond.len()))?;
@@ -159,6 +159,6 @@ impl PatchRim {
         }
         let is_centre = |v: usize| is_whole[v] && (1..=MAX_FAN_TRIANGLES).contains(&valence[v]);
         let centred = alloc::collect((self.count..self.points.len()).map(is_centre))?;
-        Ok(Beyond { continuity, triangles: alloc::copied(&self.beyond)?, centred })
+        Ok(SecondRing { continuity, triangles: alloc::copied(&self.beyond)?, centred })
     }
 }

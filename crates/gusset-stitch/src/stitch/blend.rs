@@ -4,7 +4,7 @@
 use super::grid::FaceList;
 use super::neighbourhood::Neighbourhood;
 use super::strip::{Parents, Strip};
-use crate::blend::{self, Beyond, FairingWay, MAX_FAN_TRIANGLES, OldRing, VertexLimits};
+use crate::blend::{self, BlendFairing, MAX_FAN_TRIANGLES, NewVertexLimits, OldRing, SecondRing};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -16,14 +16,14 @@ use gusset_mesh::{MAX_ELEMENTS, Mesh};
 /// The width, in mean radii of the larger rim, from which a blend follows the strip.
 const REACH: f64 = 3.0;
 /// The limits on blends. A gap that needs more vertices, or longer edges, is too wide for a blend.
-const LIMITS: VertexLimits = VertexLimits { new: 50_000, at_rim: 16, growth: 2.0 };
+const LIMITS: NewVertexLimits = NewVertexLimits { new: 50_000, at_rim: 16, growth: 2.0 };
 
 /// The fairing attempts, in order, until nothing intersects.
-pub(super) const WAYS: [FairingWay; 4] = [
-    FairingWay { rounds: 2, unfolds: false },
-    FairingWay { rounds: 2, unfolds: true },
-    FairingWay { rounds: 1, unfolds: true },
-    FairingWay::UNFAIRED,
+pub(super) const WAYS: [BlendFairing; 4] = [
+    BlendFairing { rounds: 2, unfolds: false },
+    BlendFairing { rounds: 2, unfolds: true },
+    BlendFairing { rounds: 1, unfolds: true },
+    BlendFairing::WITHOUT_FAIRING,
 ];
 
 /// The faces and vertices that replace the strip's.
@@ -43,21 +43,21 @@ pub(super) fn plan(
     strip: &Strip,
     unit: f64,
     job: &Job<'_>,
-) -> Result<Option<blend::Plan<impl Fn(u32, u32) -> bool + use<>>>> {
+) -> Result<Option<blend::BlendPlan<impl Fn(u32, u32) -> bool + use<>>>> {
     let (ring, edges) = old_ring(whole, strip, unit, &job.part(0.0, 0.0))?;
     let taken = move |u: u32, v: u32| edges.binary_search(&(u.min(v), u.max(v))).is_ok();
     let triangles = alloc::copied(strip.faces.corners.as_chunks::<3>().0)?;
-    blend::Plan::new(ring, triangles, LIMITS, taken, job)
+    blend::BlendPlan::new(ring, triangles, LIMITS, taken, job)
 }
 
 /// Creates the blend that replaces the strip.
 pub(super) fn blend(
-    plan: &blend::Plan<impl Fn(u32, u32) -> bool>,
+    plan: &blend::BlendPlan<impl Fn(u32, u32) -> bool>,
     strip: &Strip,
-    way: FairingWay,
+    way: BlendFairing,
     job: &Job<'_>,
 ) -> Result<Blend> {
-    let made = plan.blend(way, &job.part(0.0, 0.9))?;
+    let made = plan.create_blend(way, &job.part(0.0, 0.9))?;
     Error::check_count("corners of the strip", 3 * made.triangles.len() as u64, MAX_ELEMENTS)?;
     Ok(Blend {
         faces: FaceList {
@@ -111,6 +111,6 @@ fn old_ring(whole: &Mesh, strip: &Strip, unit: f64, job: &Job<'_>) -> Result<(Ol
     let centred = alloc::collect((0..rim).map(|k| valence[k] <= MAX_FAN_TRIANGLES && !is_end(names[k])))?;
     let reach = REACH * strip.a.radius().max(strip.b.radius());
     let rims = vec![(strip.a.vertices.len(), strip.a.closed), (strip.b.vertices.len(), strip.b.closed)];
-    let beyond = Beyond::default();
+    let beyond = SecondRing::default();
     Ok((OldRing { points, origin, triangles, sides, centred, rims, reach, follows: None, beyond }, edges))
 }

@@ -28,7 +28,7 @@
 //! does not detect an edge with two or more faces in each direction, in equal numbers.
 //! Irregularities away from the boundary are not detected either.
 
-use super::walk::Dart;
+use super::border_walker::DirectedHalfEdge;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -39,13 +39,13 @@ use gusset_mesh::{FaceVisitor, MeshView, NONE};
 use std::sync::{Mutex, PoisonError};
 
 /// Number of faces that one thread visits at a time.
-const CHUNK: usize = 1 << 14;
+const FACES_PER_TASK: usize = 1 << 14;
 /// Largest number of threads, because each sums into an array of its own.
-const MAX_SUMS: usize = 8;
+const MAX_SUMMING_THREADS: usize = 8;
 
 /// A half-edge between two vertices with s != 0.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Candidate {
+struct CandidateHalfEdge {
     /// The smaller end, and the larger end.
     ends: [u32; 2],
     /// True if the half-edge runs from the smaller to the larger end.
@@ -56,19 +56,19 @@ struct Candidate {
 const STAGE: &str = "walking along the boundary";
 
 /// Number of border half-edges between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 15;
+const HALF_EDGES_PER_REPORT: usize = 1 << 15;
 
 /// Returns the closed walks of border half-edges, each from its smallest half-edge, ordered by
 /// these. Returns `None` if the boundary is irregular. Two passes over the corners; extra memory: 4
 /// bytes per vertex for each of at most 8 threads, and the border.
-pub(super) fn regular_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Option<Vec<Vec<Dart>>>> {
+pub(super) fn find_regular_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Option<Vec<Vec<DirectedHalfEdge>>>> {
     job.step(0.0, "looking for the boundary")?;
     // Determined once, because the query takes time.
-    let threads = par::at_most(mesh.faces().len().div_ceil(CHUNK).min(MAX_SUMS), job.threads());
-    let sums = Sums::compute(mesh, threads)?;
+    let threads = par::at_most(mesh.faces().len().div_ceil(FACES_PER_TASK).min(MAX_SUMMING_THREADS), job.threads());
+    let sums = BorderSums::sum_over_mesh(mesh, threads)?;
     job.step(0.6, "looking for the boundary")?;
-    let parts = par::map(threads, par::ranges(mesh.faces().len(), CHUNK), |range| {
-        let mut gather = Gather { sums: &sums, found: Vec::new() };
+    let parts = par::map(threads, par::ranges(mesh.faces().len(), FACES_PER_TASK), |range| {
+        let mut gather = CandidateCollector { sums: &sums, found: Vec::new() };
         mesh.faces().visit(range, &mut gather)?;
         Ok(gather.found)
     })?;
@@ -76,12 +76,14 @@ pub(super) fn regular_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Option
     alloc::append_all(&mut candidates, parts)?;
     let job = job.part(0.9, 1.0);
     job.step(0.0, STAGE)?;
-    let Some(border) = border(candidates)? else {
+    let Some(border) = border_half_edges(candidates)? else {
         return Ok(None);
     };
     job.step(0.2, STAGE)?;
-    match successors(&border)? {
-        Some(next) if sums.match_border(&border, &next) => walks(mesh, &border, next, &job.part(0.4, 1.0)).map(Some),
+    match next_border_edges(&border)? {
+        Some(next) if sums.sums_match_border(&border, &next) => {
+            closed_walks(mesh, &border, next, &job.part(0.4, 1.0)).map(Some)
+        }
         _ => Ok(None),
     }
 }
@@ -106,12 +108,12 @@ fn wrapping_difference_u64(x: u32, y: u32) -> u64 {
 }
 
 /// Both sums over some or all faces.
-struct Sums {
+struct BorderSums {
     of_vertex: Vec<u32>,
     area: u64,
 }
 
-impl FaceVisitor for Sums {
+impl FaceVisitor for BorderSums {
     #[inline(always)]
     fn visit_face(&mut self, _: u32, corners: &[u32]) -> Result<()> {
         let (count, first) = (corners.len(), corners[0]);
@@ -132,24 +134,24 @@ impl FaceVisitor for Sums {
     }
 }
 
-impl Sums {
+impl BorderSums {
     /// Sums over the whole mesh. Each thread sums into an array of its own. All additions wrap, so
     /// that their order does not matter.
-    fn compute(mesh: &MeshView<'_>, threads: usize) -> Result<Self> {
-        let idle: Mutex<Vec<Sums>> = Mutex::new(Vec::new());
+    fn sum_over_mesh(mesh: &MeshView<'_>, threads: usize) -> Result<Self> {
+        let idle: Mutex<Vec<BorderSums>> = Mutex::new(Vec::new());
         let pool = || lock(&idle);
-        let added = par::map(threads, par::ranges(mesh.faces().len(), CHUNK), |range| {
+        let added = par::map(threads, par::ranges(mesh.faces().len(), FACES_PER_TASK), |range| {
             let free = pool().pop();
             let mut partial = match free {
                 Some(partial) => partial,
-                None => Sums { of_vertex: alloc::zeroed(mesh.positions().len())?, area: 0 },
+                None => BorderSums { of_vertex: alloc::zeroed(mesh.positions().len())?, area: 0 },
             };
             mesh.faces().visit(range, &mut partial)?;
             alloc::push(&mut pool(), partial)
         })?;
         added.into_iter().collect::<Result<()>>()?;
         let mut partials = idle.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter();
-        let mut sums = partials.next().unwrap_or(Sums { of_vertex: Vec::new(), area: 0 });
+        let mut sums = partials.next().unwrap_or(BorderSums { of_vertex: Vec::new(), area: 0 });
         for partial in partials {
             sums.area = sums.area.wrapping_add(partial.area);
             let both = sums.of_vertex.iter_mut().zip(partial.of_vertex);
@@ -159,12 +161,12 @@ impl Sums {
     }
 
     /// Returns true if s(v) is not 0.
-    fn is_flagged(&self, v: u32) -> bool {
+    fn has_nonzero_sum(&self, v: u32) -> bool {
         self.of_vertex[v as usize] != 0
     }
 
     /// Returns true if both sums match the border, in which edge `next[i]` follows edge i.
-    fn match_border(&self, border: &[(u32, u32, u32)], next: &[usize]) -> bool {
+    fn sums_match_border(&self, border: &[(u32, u32, u32)], next: &[usize]) -> bool {
         let fits = |(&(u, v, _), &i): (&(u32, u32, u32), &usize)| {
             self.of_vertex[v as usize] == f(border[i].1).wrapping_sub(f(u))
         };
@@ -175,29 +177,29 @@ impl Sums {
 }
 
 /// Gathers half-edges between vertices with s != 0.
-struct Gather<'a> {
-    sums: &'a Sums,
-    found: Vec<Candidate>,
+struct CandidateCollector<'a> {
+    sums: &'a BorderSums,
+    found: Vec<CandidateHalfEdge>,
 }
 
-impl FaceVisitor for Gather<'_> {
+impl FaceVisitor for CandidateCollector<'_> {
     #[inline(always)]
     fn visit_face(&mut self, first: u32, corners: &[u32]) -> Result<()> {
         // Most faces lack flagged corners.
-        if corners.iter().fold(false, |any, &v| any | self.sums.is_flagged(v)) {
-            self.collect(first, corners)
+        if corners.iter().fold(false, |any, &v| any | self.sums.has_nonzero_sum(v)) {
+            self.collect_candidates(first, corners)
         } else {
             Ok(())
         }
     }
 }
 
-impl Gather<'_> {
-    fn collect(&mut self, first: u32, corners: &[u32]) -> Result<()> {
+impl CandidateCollector<'_> {
+    fn collect_candidates(&mut self, first: u32, corners: &[u32]) -> Result<()> {
         let after = corners.iter().cycle().skip(1);
         for ((&u, &v), half_edge) in corners.iter().zip(after).zip(first..) {
-            if self.sums.is_flagged(u) && self.sums.is_flagged(v) {
-                alloc::push(&mut self.found, Candidate { ends: [u.min(v), u.max(v)], up: u <= v, half_edge })?;
+            if self.sums.has_nonzero_sum(u) && self.sums.has_nonzero_sum(v) {
+                alloc::push(&mut self.found, CandidateHalfEdge { ends: [u.min(v), u.max(v)], up: u <= v, half_edge })?;
             }
         }
         Ok(())
@@ -206,12 +208,12 @@ impl Gather<'_> {
 
 /// Returns the candidates without an opposite half-edge, as (start, end, half-edge) ordered by
 /// start; `None` if an edge is irregular.
-fn border(mut candidates: Vec<Candidate>) -> Result<Option<Vec<(u32, u32, u32)>>> {
+fn border_half_edges(mut candidates: Vec<CandidateHalfEdge>) -> Result<Option<Vec<(u32, u32, u32)>>> {
     candidates.sort_unstable();
     let mut border = alloc::with_capacity(candidates.len())?;
     for edge in candidates.chunk_by(|x, y| x.ends == y.ends) {
         match edge {
-            &[Candidate { ends: [u, v], up, half_edge }] if u != v => {
+            &[CandidateHalfEdge { ends: [u, v], up, half_edge }] if u != v => {
                 border.push(if up { (u, v, half_edge) } else { (v, u, half_edge) });
             }
             [x, y] if x.up != y.up => {}
@@ -224,7 +226,7 @@ fn border(mut candidates: Vec<Candidate>) -> Result<Option<Vec<(u32, u32, u32)>>
 
 /// Returns the next border edge of each; `None` if a vertex does not have exactly one incoming and
 /// one outgoing edge.
-fn successors(border: &[(u32, u32, u32)]) -> Result<Option<Vec<usize>>> {
+fn next_border_edges(border: &[(u32, u32, u32)]) -> Result<Option<Vec<usize>>> {
     if border.windows(2).any(|pair| pair[0].0 == pair[1].0) {
         return Ok(None);
     }
@@ -244,23 +246,23 @@ fn successors(border: &[(u32, u32, u32)]) -> Result<Option<Vec<usize>>> {
     Ok(Some(next))
 }
 
-fn walks(
+fn closed_walks(
     mesh: &MeshView<'_>,
     border: &[(u32, u32, u32)],
     mut next: Vec<usize>,
     job: &Job<'_>,
-) -> Result<Vec<Vec<Dart>>> {
+) -> Result<Vec<Vec<DirectedHalfEdge>>> {
     job.step(0.0, STAGE)?;
     let mut order = alloc::collect((0..border.len()).map(|i| (border[i].2, i)))?;
     sort(&mut order, Ord::cmp, &job.part(0.0, 0.5), STAGE)?;
     let job = job.part(0.5, 1.0);
-    let mut walks: Vec<Vec<Dart>> = Vec::new();
+    let mut walks: Vec<Vec<DirectedHalfEdge>> = Vec::new();
     for (k, (_, first)) in order.into_iter().enumerate() {
-        job.step_every(REPORT_INTERVAL, k, border.len(), STAGE)?;
+        job.step_every(HALF_EDGES_PER_REPORT, k, border.len(), STAGE)?;
         let mut walk = Vec::new();
         let mut i = first;
         while next[i] != NONE as usize {
-            alloc::push(&mut walk, Dart { half_edge: border[i].2, forward: true })?;
+            alloc::push(&mut walk, DirectedHalfEdge { half_edge: border[i].2, forward: true })?;
             i = std::mem::replace(&mut next[i], NONE as usize);
         }
         if !walk.is_empty() {
@@ -280,14 +282,14 @@ mod tests {
 
     /// Checks the boundary loops of a mesh against the given lengths. Face i has the corners
     /// `faces[i]`.
-    fn check(vertices: u32, faces: &[&[u32]], regular: bool, lengths: &[usize]) {
+    fn check_loop_lengths(vertices: u32, faces: &[&[u32]], regular: bool, lengths: &[usize]) {
         let points: Vec<[f64; 3]> = (0..vertices).map(|i| [f64::from(i), 0.5 * f64::from(i % 7), 0.0]).collect();
         let corners = faces.concat();
         let offsets: Vec<u32> = (0..=faces.len()).map(|f| faces[..f].concat().len() as u32).collect();
         let faces = Faces::polygons(&offsets, &corners).unwrap();
         let job = Job::default();
         let mesh = MeshView::new(Positions::from(points.as_slice()), faces, &job).unwrap();
-        assert_eq!(regular_walks(&mesh, &job).unwrap().is_some(), regular);
+        assert_eq!(find_regular_walks(&mesh, &job).unwrap().is_some(), regular);
         for survey in [Survey::WholeMesh, Survey::BoundaryOnly] {
             let found = boundary_loops(&mesh, &Options { survey, ..Options::default() }, &job).unwrap();
             assert_eq!(found.iter().map(|l| l.vertices.len()).collect::<Vec<_>>(), lengths);
@@ -296,13 +298,13 @@ mod tests {
 
     #[test]
     fn regular_boundaries_are_found_without_the_exact_walk() {
-        check(3, &[&[0, 1, 2]], true, &[3]);
+        check_loop_lengths(3, &[&[0, 1, 2]], true, &[3]);
         // A triangle, a square, a pentagon and a hexagon around vertex 0; and a tetrahedron.
         let round: [&[u32]; 4] = [&[0, 1, 2], &[0, 2, 3, 4], &[0, 4, 5, 6, 7], &[0, 7, 8, 9, 10, 1]];
-        check(11, &round, true, &[10]);
-        check(4, &[&[0, 1, 2], &[0, 3, 1], &[1, 3, 2], &[2, 3, 0]], true, &[]);
-        check(8, &[&[0, 1, 2], &[3, 4, 5, 6, 7]], true, &[3, 5]);
-        check(5, &[&[0, 1, 2], &[2, 3, 4]], false, &[3, 3]);
+        check_loop_lengths(11, &round, true, &[10]);
+        check_loop_lengths(4, &[&[0, 1, 2], &[0, 3, 1], &[1, 3, 2], &[2, 3, 0]], true, &[]);
+        check_loop_lengths(8, &[&[0, 1, 2], &[3, 4, 5, 6, 7]], true, &[3, 5]);
+        check_loop_lengths(5, &[&[0, 1, 2], &[2, 3, 4]], false, &[3, 3]);
     }
 
     /// Every second face of an octahedron: at each vertex, two neighbours precede it and the two
@@ -321,10 +323,10 @@ mod tests {
             *sum = sum.wrapping_add(f(after)).wrapping_sub(f(before));
         }
         assert!(total.len() == 6 && total.values().all(|&sum| sum == 0), "the coincidence");
-        check(limit, &octahedron, false, &[3, 3, 3, 3]);
+        check_loop_lengths(limit, &octahedron, false, &[3, 3, 3, 3]);
         // Next to a regular loop, and next to a loop that touches the octahedron.
         let [x, y, z, w] = octahedron;
-        check(limit, &[x, y, z, w, &[0, 1, 2]], false, &[3, 3, 3, 3, 3]);
-        check(limit, &[x, y, z, w, &[0, 1, a]], false, &[3, 3, 3, 3, 3]);
+        check_loop_lengths(limit, &[x, y, z, w, &[0, 1, 2]], false, &[3, 3, 3, 3, 3]);
+        check_loop_lengths(limit, &[x, y, z, w, &[0, 1, a]], false, &[3, 3, 3, 3, 3]);
     }
 }

@@ -8,9 +8,9 @@
 //! loops leaves a disc.
 
 use super::STAGE;
-use super::charts::SplitSurface;
-use super::cut_edges::{CutSurface, Graph, PathSearch};
+use super::cut_edges::{CutSurface, PathSearch, SurfaceGraph};
 use super::develop_request::CutKind;
+use super::split_surface::SplitSurface;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::disjoint_sets::DisjointSets;
@@ -21,33 +21,37 @@ use gusset_mesh::NONE;
 
 /// Cuts each chart that is not a disc until it is one. Returns true if there were any. O(H log V)
 /// for each loop and handle.
-pub(super) fn open(surface: &mut CutSurface<'_, '_>, split: &SplitSurface, job: &Job<'_>) -> Result<bool> {
+pub(super) fn open_charts_to_discs(
+    surface: &mut CutSurface<'_, '_>,
+    split: &SplitSurface,
+    job: &Job<'_>,
+) -> Result<bool> {
     let charts = split.euler.len();
     if (0..charts).all(|chart| split.is_disc(chart)) {
         return Ok(false);
     }
     let count = split.vertex_map.len();
-    let graph = Graph::new(surface, count, |h| split.corners[h as usize], job)?;
+    let graph = SurfaceGraph::new(surface, count, |h| split.corners[h as usize], job)?;
     let mut search = PathSearch::new(count)?;
     for chart in (0..charts).filter(|&chart| !split.is_disc(chart)) {
         let done = chart as f64 / charts as f64;
         job.step(done, STAGE)?;
-        Opening { split, graph: &graph, search: &mut search, chart }.open(surface, &job.part(done, done))?;
+        DiscOpening { split, graph: &graph, search: &mut search, chart }.cut_to_disc(surface, &job.part(done, done))?;
     }
     Ok(true)
 }
 
-struct Opening<'a> {
+struct DiscOpening<'a> {
     split: &'a SplitSurface,
-    graph: &'a Graph,
+    graph: &'a SurfaceGraph,
     search: &'a mut PathSearch,
     chart: usize,
 }
 
-impl Opening<'_> {
-    fn open(&mut self, surface: &mut CutSurface<'_, '_>, job: &Job<'_>) -> Result<()> {
+impl DiscOpening<'_> {
+    fn cut_to_disc(&mut self, surface: &mut CutSurface<'_, '_>, job: &Job<'_>) -> Result<()> {
         let first = self.split.vertices[self.chart].start;
-        let loops = self.loops(surface, job)?;
+        let loops = self.border_loops(surface, job)?;
         let mut sources = Vec::new();
         let mut is_source = alloc::filled(false, self.split.vertices[self.chart].len())?;
         if loops.is_empty() {
@@ -71,19 +75,19 @@ impl Opening<'_> {
         let mut paths = Vec::new();
         for _ in 1..loops.len() {
             let is_other = |v: u32| loop_of[(v - first) as usize] != NONE && !is_source[(v - first) as usize];
-            let Some(end) = self.search.shortest(self.graph, &sources, is_other, job)? else {
+            let Some(end) = self.search.search_nearest_target(self.graph, &sources, is_other, job)? else {
                 break;
             };
-            let path = self.search.path(end)?;
+            let path = self.search.path_half_edges(end)?;
             for &h in &path {
-                let ends = self.ends(surface, h);
+                let ends = self.split_ends(surface, h);
                 add(&ends, &mut sources, &mut is_source)?;
             }
             add(&loops[loop_of[(end - first) as usize] as usize], &mut sources, &mut is_source)?;
             alloc::append(&mut paths, &path)?;
         }
         for h in paths {
-            surface.cut(h, CutKind::Opening)?;
+            surface.cut_edge(h, CutKind::Opening)?;
         }
         let handles = (2 - loops.len() as i64 - self.split.euler[self.chart]) / 2;
         if handles > 0 {
@@ -91,11 +95,11 @@ impl Opening<'_> {
         }
         if loops.is_empty() {
             // A sphere: cut along a path as long as possible.
-            let start = self.farthest(&sources, job)?;
-            let end = self.farthest(&[start], job)?;
-            let path = self.search.path(end)?;
+            let start = self.farthest_vertex(&sources, job)?;
+            let end = self.farthest_vertex(&[start], job)?;
+            let path = self.search.path_half_edges(end)?;
             for &h in &path {
-                surface.cut(h, CutKind::Opening)?;
+                surface.cut_edge(h, CutKind::Opening)?;
             }
             // A single edge has equal ends on both sides, and does not open the sphere.
             return if path.len() == 1 { self.extend_slit(surface, [start, end]) } else { Ok(()) };
@@ -106,27 +110,27 @@ impl Opening<'_> {
         }
     }
 
-    fn ends(&self, surface: &CutSurface<'_, '_>, h: u32) -> [u32; 2] {
+    fn split_ends(&self, surface: &CutSurface<'_, '_>, h: u32) -> [u32; 2] {
         [h, surface.mesh.faces().next(h)].map(|h| self.split.corners[h as usize])
     }
 
-    fn half_edges(&self, surface: &CutSurface<'_, '_>) -> impl Iterator<Item = u32> + Clone {
+    fn chart_half_edges(&self, surface: &CutSurface<'_, '_>) -> impl Iterator<Item = u32> + Clone {
         let faces = *surface.mesh.faces();
         self.split.faces.get(self.chart).iter().flat_map(move |&f| faces.range(f as usize)).map(|h| h as u32)
     }
 
     /// Returns the vertices of each loop of the chart's border.
-    fn loops(&self, surface: &CutSurface<'_, '_>, job: &Job<'_>) -> Result<Vec<Vec<u32>>> {
+    fn border_loops(&self, surface: &CutSurface<'_, '_>, job: &Job<'_>) -> Result<Vec<Vec<u32>>> {
         let vertices = self.split.vertices[self.chart].clone();
         let (first, count) = (vertices.start, vertices.len());
         let mut sets = DisjointSets::new(count)?;
         let mut on_border = alloc::filled(false, count)?;
-        for (k, h) in self.half_edges(surface).enumerate() {
+        for (k, h) in self.chart_half_edges(surface).enumerate() {
             job.step_within(k, STAGE)?;
-            if surface.across(h) != NONE {
+            if surface.mate_across(h) != NONE {
                 continue;
             }
-            let [u, v] = self.ends(surface, h).map(|v| v - first);
+            let [u, v] = self.split_ends(surface, h).map(|v| v - first);
             sets.union(u, v);
             (on_border[u as usize], on_border[v as usize]) = (true, true);
         }
@@ -138,8 +142,8 @@ impl Opening<'_> {
     }
 
     /// Returns the vertex of the chart that is farthest from all sources.
-    fn farthest(&mut self, sources: &[u32], job: &Job<'_>) -> Result<u32> {
-        self.search.shortest(self.graph, sources, |_| false, job)?;
+    fn farthest_vertex(&mut self, sources: &[u32], job: &Job<'_>) -> Result<u32> {
+        self.search.search_nearest_target(self.graph, sources, |_| false, job)?;
         let distance = |v: u32| self.search.distances[v as usize];
         let vertices = self.split.vertices[self.chart].clone();
         Ok(vertices.clone().fold(vertices.start, |far, v| if distance(v) > distance(far) { v } else { far }))
@@ -148,25 +152,26 @@ impl Opening<'_> {
     /// Cuts along one more edge at an end of a slit.
     fn extend_slit(&self, surface: &mut CutSurface<'_, '_>, ends: [u32; 2]) -> Result<()> {
         let more = self.graph.neighbours(ends[1]).iter().find(|&&(v, ..)| !ends.contains(&v));
-        more.map_or(Ok(()), |&(_, h, _)| surface.cut(h, CutKind::Opening))
+        more.map_or(Ok(()), |&(_, h, _)| surface.cut_edge(h, CutKind::Opening))
     }
 
     /// Cuts along the loops of the greedy system.
     fn cut_handles(&mut self, surface: &mut CutSurface<'_, '_>, sources: &[u32], job: &Job<'_>) -> Result<()> {
-        self.search.shortest(self.graph, sources, |_| false, job)?;
+        self.search.search_nearest_target(self.graph, sources, |_| false, job)?;
         let faces = *surface.mesh.faces();
         let mut edges = Vec::new();
-        for (k, h) in self.half_edges(surface).enumerate() {
+        for (k, h) in self.chart_half_edges(surface).enumerate() {
             job.step_within(k, STAGE)?;
-            let mate = surface.across(h);
+            let mate = surface.mate_across(h);
             if mate == NONE || h > mate {
                 continue;
             }
-            let [u, v] = self.ends(surface, h);
-            let is_of_tree = [u, v].iter().any(|&v| self.search.arrives_by(v, h) || self.search.arrives_by(v, mate));
+            let [u, v] = self.split_ends(surface, h);
+            let is_of_tree =
+                [u, v].iter().any(|&v| self.search.path_ends_with(v, h) || self.search.path_ends_with(v, mate));
             if !is_of_tree {
                 let length = self.search.distances[u as usize] + self.search.distances[v as usize];
-                let [p, q] = surface.ends(h).map(|v| surface.mesh.positions().get(v));
+                let [p, q] = surface.end_vertices(h).map(|v| surface.mesh.positions().get(v));
                 alloc::push(&mut edges, (length + distance(p, q), h))?;
             }
         }
@@ -176,15 +181,15 @@ impl Opening<'_> {
         let mut cuts = Vec::new();
         for (k, (_, h)) in edges.into_iter().enumerate() {
             job.step_within(k, STAGE)?;
-            if !joined.union(faces.face_of(h), faces.face_of(surface.across(h))) {
+            if !joined.union(faces.face_of(h), faces.face_of(surface.mate_across(h))) {
                 alloc::push(&mut cuts, h)?;
-                for v in self.ends(surface, h) {
-                    alloc::append(&mut cuts, &self.search.path(v)?)?;
+                for v in self.split_ends(surface, h) {
+                    alloc::append(&mut cuts, &self.search.path_half_edges(v)?)?;
                 }
             }
         }
         for h in cuts {
-            surface.cut(h, CutKind::Opening)?;
+            surface.cut_edge(h, CutKind::Opening)?;
         }
         Ok(())
     }

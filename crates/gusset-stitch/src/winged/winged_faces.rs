@@ -5,7 +5,7 @@
 //! if the sides of each face, linked by the wings, form one cycle. This is checked for every side;
 //! invalid tables are rejected, not repaired.
 
-use super::tables::{Winding, WingedEdge};
+use super::winged_edges::{Winding, WingedEdge};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -23,7 +23,7 @@ pub struct WingedFaces {
 }
 
 /// Number of sides between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 16;
+const SIDES_PER_REPORT: usize = 1 << 16;
 
 /// One side of an edge, in the direction in which its face runs in the tables.
 #[derive(Clone, Copy)]
@@ -36,7 +36,7 @@ struct WingedSide {
 }
 
 /// Returns the sides R, then L.
-fn sides(edge: &WingedEdge) -> [WingedSide; 2] {
+fn edge_sides(edge: &WingedEdge) -> [WingedSide; 2] {
     let &WingedEdge { m, n, b, c, d, e, left, right, .. } = edge;
     [
         WingedSide { face: right, from: m, to: n, before: d, after: b },
@@ -69,20 +69,20 @@ pub fn faces(
     let (checking, walking) = (job.part(0.0, 0.4), job.part(0.4, 1.0));
     let mut face_count = 0;
     for (i, edge) in edges.iter().enumerate() {
-        checking.step_every(REPORT_INTERVAL, i, edges.len(), "reading edges")?;
+        checking.step_every(SIDES_PER_REPORT, i, edges.len(), "reading edges")?;
         if let Some(why) = invalid_reason(edge, edges.len(), vertex_count) {
             return bad(i, why);
         }
-        let named = sides(edge).map(|side| if side.face == NONE { 0 } else { side.face as usize + 1 });
+        let named = edge_sides(edge).map(|side| if side.face == NONE { 0 } else { side.face as usize + 1 });
         face_count = face_count.max(named[0]).max(named[1]);
     }
     let mut sizes = alloc::filled(0_u32, face_count)?;
-    let named = |edge: &WingedEdge| sides(edge).into_iter().filter(|side| side.face != NONE);
+    let named = |edge: &WingedEdge| edge_sides(edge).into_iter().filter(|side| side.face != NONE);
     edges.iter().flat_map(named).for_each(|side| sizes[side.face as usize] += 1);
     if let Some(face) = sizes.iter().position(|&size| size < 3) {
         return Err(Error::FaceTooSmall { face: face as u32, corners: sizes[face] });
     }
-    let starts = starts(edges, face_count, first_edges, winding)?;
+    let starts = first_sides(edges, face_count, first_edges, winding)?;
 
     let total = sizes.iter().map(|&size| size as usize).sum();
     let mut result = WingedFaces {
@@ -92,10 +92,10 @@ pub fn faces(
     };
     result.offsets.push(0);
     for (face, (&size, start)) in sizes.iter().zip(starts).enumerate() {
-        walking.step_every(REPORT_INTERVAL, face, face_count, "walking round faces")?;
+        walking.step_every(SIDES_PER_REPORT, face, face_count, "walking round faces")?;
         let mut at = start;
         for step in 1..=size {
-            let side = sides(&edges[at.0 as usize])[at.1];
+            let side = edge_sides(&edges[at.0 as usize])[at.1];
             // The faces of the mesh run in the opposite direction if they are counter-clockwise.
             let (corner, next) = match winding {
                 Winding::Clockwise => (side.from, next_side(edges, at)),
@@ -128,7 +128,7 @@ fn invalid_reason(edge: &WingedEdge, edge_count: usize, vertex_count: usize) -> 
     if edge.left == NONE && edge.right == NONE {
         return Some("it has no face");
     }
-    for side in sides(edge) {
+    for side in edge_sides(edge) {
         let wings = [side.before, side.after];
         match side.face {
             NONE if wings != [NONE; 2] => return Some("it has a wing on a side that has no face"),
@@ -142,8 +142,8 @@ fn invalid_reason(edge: &WingedEdge, edge_count: usize, vertex_count: usize) -> 
     None
 }
 
-/// Returns the first side of each face: an edge, and the index of its side in [`sides`].
-fn starts(
+/// Returns the first side of each face: an edge, and the index of its side in [`edge_sides`].
+fn first_sides(
     edges: &[WingedEdge],
     face_count: usize,
     first_edges: Option<&[u32]>,
@@ -155,14 +155,14 @@ fn starts(
         Winding::CounterClockwise => [1, 0],
     };
     let at = |edge: u32, face: u32| {
-        let found = order.into_iter().find(|&k| sides(&edges[edge as usize])[k].face == face);
+        let found = order.into_iter().find(|&k| edge_sides(&edges[edge as usize])[k].face == face);
         found.map(|k| (edge, k))
     };
     let Some(given) = first_edges else {
         let mut starts = alloc::filled((NONE, 0), face_count)?;
         for edge in (0..edges.len() as u32).rev() {
             for k in [order[1], order[0]] {
-                let face = sides(&edges[edge as usize])[k].face;
+                let face = edge_sides(&edges[edge as usize])[k].face;
                 if face != NONE {
                     starts[face as usize] = (edge, k);
                 }
@@ -194,8 +194,8 @@ fn starts(
 
 /// Returns the side that follows a side along its face, if the wings agree.
 fn next_side(edges: &[WingedEdge], (edge, k): (u32, usize)) -> Option<(u32, usize)> {
-    let side = sides(&edges[edge as usize])[k];
-    let next = sides(&edges[side.after as usize]);
+    let side = edge_sides(&edges[edge as usize])[k];
+    let next = edge_sides(&edges[side.after as usize]);
     (0..2)
         .find(|&j| next[j].face == side.face && next[j].from == side.to && next[j].before == edge)
         .map(|j| (side.after, j))
@@ -203,8 +203,8 @@ fn next_side(edges: &[WingedEdge], (edge, k): (u32, usize)) -> Option<(u32, usiz
 
 /// Returns the side that precedes a side along its face, if the wings agree.
 fn previous_side(edges: &[WingedEdge], (edge, k): (u32, usize)) -> Option<(u32, usize)> {
-    let side = sides(&edges[edge as usize])[k];
-    let last = sides(&edges[side.before as usize]);
+    let side = edge_sides(&edges[edge as usize])[k];
+    let last = edge_sides(&edges[side.before as usize]);
     (0..2)
         .find(|&j| last[j].face == side.face && last[j].to == side.from && last[j].after == edge)
         .map(|j| (side.before, j))

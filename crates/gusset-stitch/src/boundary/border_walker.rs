@@ -13,19 +13,19 @@ use gusset_mesh::{MeshView, Opposite, Topology};
 
 /// A half-edge with a direction of travel; `forward` means its own direction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Dart {
+pub(super) struct DirectedHalfEdge {
     pub(super) half_edge: u32,
     pub(super) forward: bool,
 }
 
-impl Dart {
-    pub(super) fn reversed(self) -> Dart {
-        Dart { forward: !self.forward, ..self }
+impl DirectedHalfEdge {
+    pub(super) fn reversed(self) -> DirectedHalfEdge {
+        DirectedHalfEdge { forward: !self.forward, ..self }
     }
 
     /// Returns the start vertex.
     pub(super) fn tail(self, mesh: &MeshView<'_>) -> u32 {
-        if self.forward { origin(mesh, self.half_edge) } else { target(mesh, self.half_edge) }
+        if self.forward { start_vertex(mesh, self.half_edge) } else { end_vertex(mesh, self.half_edge) }
     }
 
     /// Returns the end vertex.
@@ -34,16 +34,16 @@ impl Dart {
     }
 }
 
-fn origin(mesh: &MeshView<'_>, h: u32) -> u32 {
+fn start_vertex(mesh: &MeshView<'_>, h: u32) -> u32 {
     mesh.faces().corner(h)
 }
 
-fn target(mesh: &MeshView<'_>, h: u32) -> u32 {
+fn end_vertex(mesh: &MeshView<'_>, h: u32) -> u32 {
     mesh.faces().corner(mesh.faces().next(h))
 }
 
 /// Finds the walks along the border one after another.
-pub(super) struct Walker<'m, 'a> {
+pub(super) struct BorderWalker<'m, 'a> {
     mesh: &'m MeshView<'a>,
     topology: &'m Topology,
     mode: NonManifold,
@@ -57,7 +57,7 @@ pub(super) struct Walker<'m, 'a> {
     bow_tie: Vec<bool>,
 }
 
-impl<'m, 'a> Walker<'m, 'a> {
+impl<'m, 'a> BorderWalker<'m, 'a> {
     pub(super) fn new(
         mesh: &'m MeshView<'a>,
         topology: &'m Topology,
@@ -67,16 +67,16 @@ impl<'m, 'a> Walker<'m, 'a> {
         let border = topology.border(job)?;
         let visited = alloc::filled(false, border.len())?;
         let bow_tie = alloc::zeroed(mesh.positions().len())?;
-        Ok(Walker { mesh, topology, mode, border, visited, next: 0, bow_tie })
+        Ok(BorderWalker { mesh, topology, mode, border, visited, next: 0, bow_tie })
     }
 
     /// Returns the fraction of the border that has been visited.
-    pub(super) fn fraction(&self) -> f64 {
+    pub(super) fn visited_fraction(&self) -> f64 {
         self.next as f64 / self.border.len().max(1) as f64
     }
 
     /// Returns true if the edge of `h` has three or more faces.
-    pub(super) fn is_singular(&self, h: u32) -> bool {
+    pub(super) fn is_non_manifold_edge(&self, h: u32) -> bool {
         self.topology.opposite(h) == Opposite::Singular
     }
 
@@ -88,23 +88,23 @@ impl<'m, 'a> Walker<'m, 'a> {
     /// Writes the next walk to `walk`, and returns whether it is closed; `None` if every free edge
     /// has been visited. Walks start only at free edges: a walk of non-manifold edges alone does
     /// not bound a hole.
-    pub(super) fn next_walk(&mut self, walk: &mut Vec<Dart>, job: &Job<'_>) -> Result<Option<bool>> {
+    pub(super) fn next_walk(&mut self, walk: &mut Vec<DirectedHalfEdge>, job: &Job<'_>) -> Result<Option<bool>> {
         walk.clear();
         let start = loop {
             let Some(&h) = self.border.get(self.next) else {
                 return Ok(None);
             };
             self.next += 1;
-            if !self.visited[self.next - 1] && !self.is_singular(h) {
-                break Dart { half_edge: h, forward: true };
+            if !self.visited[self.next - 1] && !self.is_non_manifold_edge(h) {
+                break DirectedHalfEdge { half_edge: h, forward: true };
             }
         };
-        if self.follow(start, walk, job)? {
+        if self.follow_border(start, walk, job)? {
             return Ok(Some(true));
         }
         // An open chain: walk back from the start too, and join the two parts.
         let mut back = Vec::new();
-        self.follow(start.reversed(), &mut back, job)?;
+        self.follow_border(start.reversed(), &mut back, job)?;
         alloc::reserve(walk, back.len())?;
         let ahead = walk.len();
         walk.extend(back[1..].iter().map(|dart| dart.reversed()).rev());
@@ -113,7 +113,12 @@ impl<'m, 'a> Walker<'m, 'a> {
     }
 
     /// Appends the walk from `start`. Returns true if it came back to the start.
-    fn follow(&mut self, start: Dart, walk: &mut Vec<Dart>, job: &Job<'_>) -> Result<bool> {
+    fn follow_border(
+        &mut self,
+        start: DirectedHalfEdge,
+        walk: &mut Vec<DirectedHalfEdge>,
+        job: &Job<'_>,
+    ) -> Result<bool> {
         let mut dart = start;
         loop {
             job.step_within(walk.len(), STAGE)?;
@@ -121,7 +126,7 @@ impl<'m, 'a> Walker<'m, 'a> {
             if let Ok(i) = self.border.binary_search(&dart.half_edge) {
                 self.visited[i] = true;
             }
-            match self.successor(dart) {
+            match self.next_border_dart(dart) {
                 None => return Ok(false),
                 Some(next) if next == start => return Ok(true),
                 Some(next) => dart = next,
@@ -131,7 +136,7 @@ impl<'m, 'a> Walker<'m, 'a> {
 
     /// Returns the border edge that follows `dart` around the fan at its head; `None` at a
     /// non-manifold edge that ends walks.
-    fn successor(&mut self, dart: Dart) -> Option<Dart> {
+    fn next_border_dart(&mut self, dart: DirectedHalfEdge) -> Option<DirectedHalfEdge> {
         let v = dart.head(self.mesh);
         let mut corners = 0;
         // `arriving` tells whether half-edge h runs towards v. If so, the other edge at v follows
@@ -143,14 +148,14 @@ impl<'m, 'a> Walker<'m, 'a> {
             let across = self.topology.opposite(other);
             if let Opposite::Mate(mate) = across {
                 h = mate;
-                arriving = origin(self.mesh, mate) != v;
+                arriving = start_vertex(self.mesh, mate) != v;
                 continue;
             }
             if corners < self.topology.corner_count(v) {
                 self.bow_tie[v as usize] = true;
             }
             let stop = across == Opposite::Singular && self.mode == NonManifold::Stop;
-            return (!stop).then_some(Dart { half_edge: other, forward: arriving });
+            return (!stop).then_some(DirectedHalfEdge { half_edge: other, forward: arriving });
         }
     }
 

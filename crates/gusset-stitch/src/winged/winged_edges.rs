@@ -61,7 +61,7 @@ pub struct WingedEdges {
 }
 
 /// Number of faces between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 16;
+const FACES_PER_REPORT: usize = 1 << 16;
 
 impl WingedEdges {
     /// Builds the tables. O(H log d) for H half-edges and vertices of degree d; extra memory as for
@@ -81,12 +81,12 @@ impl WingedEdges {
         };
         let (numbering, filling) = (job.part(0.6, 0.8), job.part(0.8, 1.0));
         for f in 0..faces.len() {
-            numbering.step_every(REPORT_INTERVAL, f, faces.len(), "numbering edges")?;
-            tables.number_edges(mesh, f, &topology)?;
+            numbering.step_every(FACES_PER_REPORT, f, faces.len(), "numbering edges")?;
+            tables.number_edges_of_face(mesh, f, &topology)?;
         }
         for f in 0..faces.len() {
-            filling.step_every(REPORT_INTERVAL, f, faces.len(), "filling wings")?;
-            tables.fill_wings(mesh, f, winding);
+            filling.step_every(FACES_PER_REPORT, f, faces.len(), "filling wings")?;
+            tables.fill_wings_of_face(mesh, f, winding);
         }
         job.step(1.0, "filling wings")?;
         Ok(tables)
@@ -113,14 +113,14 @@ impl WingedEdges {
     }
 
     /// Assigns an edge to every half-edge of face `f`, a new one if the mate has none yet.
-    fn number_edges(&mut self, mesh: &MeshView<'_>, f: usize, topology: &Topology) -> Result<()> {
+    fn number_edges_of_face(&mut self, mesh: &MeshView<'_>, f: usize, topology: &Topology) -> Result<()> {
         let range = mesh.faces().range(f);
         let mut ends = mesh.face(f).cycle();
         let mut m = ends.next().unwrap_or(NONE);
         for h in range.clone() {
             let n = ends.next().unwrap_or(NONE);
             if self.of_half_edge[h] == NONE {
-                let (mate, marks) = mate(mesh, topology, h as u32);
+                let (mate, marks) = record_mate(mesh, topology, h as u32);
                 let edge = self.edges.len() as u32;
                 let none = NONE;
                 alloc::push(
@@ -143,7 +143,7 @@ impl WingedEdges {
     }
 
     /// Adds face `f` to the edges along it.
-    fn fill_wings(&mut self, mesh: &MeshView<'_>, f: usize, winding: Winding) {
+    fn fill_wings_of_face(&mut self, mesh: &MeshView<'_>, f: usize, winding: Winding) {
         let range = mesh.faces().range(f);
         let cycle = &self.of_half_edge[range.clone()];
         for (i, v) in mesh.face(f).enumerate() {
@@ -166,7 +166,7 @@ impl WingedEdges {
 }
 
 /// Returns the half-edge that shares the record of `h`, and the record's marks.
-fn mate(mesh: &MeshView<'_>, topology: &Topology, h: u32) -> (Option<u32>, u32) {
+fn record_mate(mesh: &MeshView<'_>, topology: &Topology, h: u32) -> (Option<u32>, u32) {
     if topology.is_ignored(h) {
         return (None, EdgeMarks::DEGENERATE);
     }

@@ -1,6 +1,6 @@
 //! The steps from coarse triangles to a blend.
 
-use super::ring::{MAX_SMOOTH_BEND, OldRing};
+use super::old_ring::{MIN_SMOOTH_BEND_COSINE, OldRing};
 use crate::fair::mean_curvature;
 use crate::remesh::{PatchMesh, Sizing, even, refine, size_growth, vertices_needed};
 use glam::DVec3;
@@ -9,20 +9,20 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 
 /// Length of new sides, relative to old ones.
-const RELATIVE_SIZE: f64 = 0.8;
+const NEW_SIDE_TO_OLD_SIDE_RATIO: f64 = 0.8;
 /// Before fairing, sharp triangles are left if their shortest side is below this fraction of the
 /// size.
-const MIN_SHORTEST_SIDE: f64 = 0.3;
+const MIN_RELATIVE_SHORTEST_SIDE: f64 = 0.3;
 /// The corresponding fraction in the last step.
-const FINAL_MIN_SHORTEST_SIDE: f64 = 1e-3;
+const FINAL_MIN_RELATIVE_SHORTEST_SIDE: f64 = 1e-3;
 /// Rounds in which vertices move within the surface, before each solution and in the last step.
 const SETTLE_ROUNDS: [u32; 2] = [2, 5];
 /// Smoothing passes over the strip's curvature, which is concentrated in its ridges.
-const SMOOTHING_PASSES: u32 = 10;
+const CURVATURE_SMOOTHING_PASSES: u32 = 10;
 
 /// How a blend is faired.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct FairingWay {
+pub(crate) struct BlendFairing {
     /// The number of solutions of the plate, each after a refinement.
     pub(crate) rounds: u32,
     /// If true, vertices that would fold a triangle stay behind. The result is less smooth, so this
@@ -30,14 +30,14 @@ pub(crate) struct FairingWay {
     pub(crate) unfolds: bool,
 }
 
-impl FairingWay {
+impl BlendFairing {
     /// No fairing.
-    pub(crate) const UNFAIRED: FairingWay = FairingWay { rounds: 0, unfolds: true };
+    pub(crate) const WITHOUT_FAIRING: BlendFairing = BlendFairing { rounds: 0, unfolds: true };
 }
 
 /// Limits on the number of new vertices.
 #[derive(Clone, Copy)]
-pub(crate) struct VertexLimits {
+pub(crate) struct NewVertexLimits {
     /// Estimated number of vertices for the sizes. If more are needed, all sides grow. If the
     /// estimate is too low for the shape, there are at most twice as many.
     pub(crate) new: u32,
@@ -60,7 +60,7 @@ pub(crate) struct Blend {
 }
 
 /// The common start of all fairing attempts.
-pub(crate) struct Plan<T: Fn(u32, u32) -> bool> {
+pub(crate) struct BlendPlan<T: Fn(u32, u32) -> bool> {
     ring: OldRing,
     /// Returns true if two rim vertices must not get an edge.
     taken: T,
@@ -73,23 +73,23 @@ pub(crate) struct Plan<T: Fn(u32, u32) -> bool> {
     creased: Vec<bool>,
 }
 
-impl<T: Fn(u32, u32) -> bool> Plan<T> {
+impl<T: Fn(u32, u32) -> bool> BlendPlan<T> {
     /// Plans the blend of triangles between the rims; `None` if the limits do not allow a blend.
     /// O(T + n log n) for T triangles and n new vertices.
     pub(crate) fn new(
         mut ring: OldRing,
         triangles: Vec<[u32; 3]>,
-        limits: VertexLimits,
+        limits: NewVertexLimits,
         taken: T,
         job: &Job<'_>,
     ) -> Result<Option<Self>> {
         let rim = ring.centred.len();
-        let (usual, creased) = ring.bends()?;
+        let (usual, creased) = ring.measure_bends()?;
         // The cosine of twice the angle.
-        let min_cosine = MAX_SMOOTH_BEND.min(2.0 * usual * usual - 1.0);
+        let min_cosine = MIN_SMOOTH_BEND_COSINE.min(2.0 * usual * usual - 1.0);
         let mut mesh = PatchMesh::new(alloc::copied(&ring.points[..rim])?, triangles)?;
-        let mut size = ring.sizes()?;
-        size.iter_mut().for_each(|s| *s *= RELATIVE_SIZE);
+        let mut size = ring.rim_sizes()?;
+        size.iter_mut().for_each(|s| *s *= NEW_SIDE_TO_OLD_SIDE_RATIO);
         let at_rim = limits.at_rim.saturating_mul(rim as u32);
         let limit = limits.new.max(at_rim);
         let needed = vertices_needed(&mesh, &size);
@@ -103,14 +103,14 @@ impl<T: Fn(u32, u32) -> bool> Plan<T> {
             return Ok(None);
         }
         size.iter_mut().for_each(|s| *s *= grown);
-        ring.draw_near(&size)?;
+        ring.draw_old_vertices_near(&size)?;
         let mut sizing = Sizing {
             size,
             unfaired: alloc::copied(&mesh.points)?,
             curvature: alloc::filled(DVec3::ZERO, rim)?,
             // Twice the estimate, for shapes that need more.
             limit: rim + 2 * needed as usize + at_rim as usize,
-            shortest: MIN_SHORTEST_SIDE,
+            shortest: MIN_RELATIVE_SHORTEST_SIDE,
         };
         even(&mut mesh, rim, &mut sizing, &taken, &job.part(0.0, 0.5))?;
         refine(&mut mesh, rim, &mut sizing, &taken, &job.part(0.5, 0.8))?;
@@ -120,13 +120,13 @@ impl<T: Fn(u32, u32) -> bool> Plan<T> {
         mesh.settle(rim, &taken, SETTLE_ROUNDS[0], &job.part(0.8, 1.0))?;
         let closed = |v: usize| v >= rim;
         sizing.curvature =
-            mean_curvature(&mesh.points, &mesh.triangles, &closed, SMOOTHING_PASSES, &job.part(1.0, 1.0))?;
-        Ok(Some(Plan { ring, taken, mesh, sizing, min_cosine, creased }))
+            mean_curvature(&mesh.points, &mesh.triangles, &closed, CURVATURE_SMOOTHING_PASSES, &job.part(1.0, 1.0))?;
+        Ok(Some(BlendPlan { ring, taken, mesh, sizing, min_cosine, creased }))
     }
 
     /// Creates the blend. For n new vertices O(n log n), plus O(n^1.5) for the plate; nearly linear
     /// on a narrow strip.
-    pub(crate) fn blend(&self, way: FairingWay, job: &Job<'_>) -> Result<Blend> {
+    pub(crate) fn create_blend(&self, way: BlendFairing, job: &Job<'_>) -> Result<Blend> {
         let (ring, taken, rim) = (&self.ring, &self.taken, self.ring.centred.len());
         let (mut mesh, mut sizing) = (self.mesh.try_clone()?, self.sizing.try_clone()?);
         for round in 0..way.rounds {
@@ -138,10 +138,10 @@ impl<T: Fn(u32, u32) -> bool> Plan<T> {
                     sizing.curvature = ring.solved_curvature(&mesh, passes, &part.part(0.4, 0.4))?;
                 }
             }
-            ring.fair(&mut mesh, &sizing, way.unfolds, &part.part(0.4, 1.0))?;
+            ring.fair_patch(&mut mesh, &sizing, way.unfolds, &part.part(0.4, 1.0))?;
         }
         mesh.iron(rim, self.min_cosine, &self.creased, &job.part(0.6, 0.7))?;
-        sizing.shortest = FINAL_MIN_SHORTEST_SIDE;
+        sizing.shortest = FINAL_MIN_RELATIVE_SHORTEST_SIDE;
         refine(&mut mesh, rim, &mut sizing, taken, &job.part(0.7, 0.8))?;
         mesh.settle(rim, taken, SETTLE_ROUNDS[1], &job.part(0.8, 1.0))?;
         let back = |points: &[DVec3]| alloc::collect(points[rim..].iter().map(|&p| p + ring.origin));

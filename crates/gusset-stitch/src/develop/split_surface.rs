@@ -44,7 +44,7 @@ impl SplitSurface {
         let mut joined = DisjointSets::new(count)?;
         for h in 0..corner_count as u32 {
             job.step_within(h as usize, STAGE)?;
-            let mate = surface.across(h);
+            let mate = surface.mate_across(h);
             if mate != NONE && h < mate {
                 same.union(h, faces.next(mate));
                 same.union(faces.next(h), mate);
@@ -81,7 +81,7 @@ impl SplitSurface {
                         alloc::push(&mut vertex_map, faces.corner(h as u32))?;
                     }
                     // Count an edge with two faces at its smaller half-edge.
-                    let mate = surface.across(h as u32);
+                    let mate = surface.mate_across(h as u32);
                     sum -= i64::from(mate == NONE || (h as u32) < mate);
                     free += u32::from(mate == NONE);
                 }

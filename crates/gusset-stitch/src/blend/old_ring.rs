@@ -1,7 +1,7 @@
 //! The old faces around a patch: the sizes they imply for its triangles, and the plate that is
 //! clamped to them.
 
-use super::fold_free_moves::unfold;
+use super::fold_free_moves::move_without_folds;
 use crate::fair::{Continuity, Plate, RestShape, Weights, mean_curvature, thin_plate};
 use crate::remesh::{PatchMesh, Sizing};
 use glam::DVec3;
@@ -12,11 +12,11 @@ use gusset_base::sort;
 
 /// The cosine of the smallest bend that makes a crease between new triangles. The bend must also
 /// exceed twice the usual bend of the old faces at the rims.
-pub(super) const MAX_SMOOTH_BEND: f64 = std::f64::consts::FRAC_1_SQRT_2;
+pub(super) const MIN_SMOOTH_BEND_COSINE: f64 = std::f64::consts::FRAC_1_SQRT_2;
 /// A rim vertex with more triangles is the apex of a fan, and says little about slopes.
 pub(crate) const MAX_FAN_TRIANGLES: usize = 64;
 /// The usual bend is this percentile of the bends of the old edges.
-const USUAL_PERCENT: usize = 95;
+const USUAL_BEND_PERCENTILE: usize = 95;
 
 /// The old faces that touch the rims. The rim vertices come first, rim by rim, then the others.
 pub(crate) struct OldRing {
@@ -37,12 +37,12 @@ pub(crate) struct OldRing {
     /// passes. Curvature that equals its own mean, as on a sphere, is preserved.
     pub(crate) follows: Option<u32>,
     /// The old surface beyond, for curvature continuity.
-    pub(crate) beyond: Beyond,
+    pub(crate) beyond: SecondRing,
 }
 
 /// The old faces next to those that touch the rims.
 #[derive(Default)]
-pub(crate) struct Beyond {
+pub(crate) struct SecondRing {
     /// The required continuity with the old surface. Without curvature continuity the other fields
     /// are empty.
     pub(crate) continuity: Continuity,
@@ -52,10 +52,10 @@ pub(crate) struct Beyond {
 }
 
 impl OldRing {
-    /// Measures the bends of the old faces at the rims. Returns the cosine that [`USUAL_PERCENT`]
+    /// Measures the bends of the old faces at the rims. Returns the cosine that [`USUAL_BEND_PERCENTILE`]
     /// percent of the edges reach, at least 0, and for each rim vertex whether one of its edges
-    /// bends by more than [`MAX_SMOOTH_BEND`].
-    pub(super) fn bends(&self) -> Result<(f64, Vec<bool>)> {
+    /// bends by more than [`MIN_SMOOTH_BEND_COSINE`].
+    pub(super) fn measure_bends(&self) -> Result<(f64, Vec<bool>)> {
         let rim = self.centred.len();
         let mut edges = alloc::with_capacity(3 * self.triangles.len())?;
         for &[a, b, c] in &self.triangles {
@@ -70,18 +70,19 @@ impl OldRing {
         let pairs = edges.windows(2).filter(|pair| (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1));
         let mut bends = alloc::gather(pairs.map(|pair| (pair[0].2.dot(pair[1].2), [pair[0].0, pair[0].1])))?;
         let mut creased = alloc::filled(false, rim)?;
-        for (_, ends) in bends.iter().filter(|(cosine, _)| *cosine < MAX_SMOOTH_BEND) {
+        for (_, ends) in bends.iter().filter(|(cosine, _)| *cosine < MIN_SMOOTH_BEND_COSINE) {
             ends.iter().filter(|&&v| (v as usize) < rim).for_each(|&v| creased[v as usize] = true);
         }
         sort::stable(&mut bends, &|p, q| q.0.total_cmp(&p.0));
-        let usual = bends.get(bends.len().saturating_sub(1) * USUAL_PERCENT / 100).map_or(1.0, |&(cosine, _)| cosine);
+        let usual =
+            bends.get(bends.len().saturating_sub(1) * USUAL_BEND_PERCENTILE / 100).map_or(1.0, |&(cosine, _)| cosine);
         Ok((usual.max(0.0), creased))
     }
 
     /// Returns the mean length of the old sides at each rim vertex, weighted by length, so that
     /// slivers count little. The sizes vary slowly along the rims: each is at least the size of a
     /// neighbour minus its distance. A corner that the rim cuts off says little about the surface.
-    pub(super) fn sizes(&self) -> Result<Vec<f64>> {
+    pub(super) fn rim_sizes(&self) -> Result<Vec<f64>> {
         let rim = self.centred.len();
         let mut sums = alloc::filled((0.0, 0.0), rim)?;
         for &(u, v) in &self.sides {
@@ -114,7 +115,7 @@ impl OldRing {
     /// guide.
     ///
     /// Does nothing for curvature continuity, because the move would change the curvature.
-    pub(super) fn draw_near(&mut self, size: &[f64]) -> Result<()> {
+    pub(super) fn draw_old_vertices_near(&mut self, size: &[f64]) -> Result<()> {
         if self.beyond.continuity == Continuity::C2 {
             return Ok(());
         }
@@ -141,7 +142,7 @@ impl OldRing {
 
     /// Returns the ring's points followed by the new points of a patch, and all triangles over
     /// them.
-    fn merged_with(&self, mesh: &PatchMesh) -> Result<(Vec<DVec3>, Vec<[u32; 3]>)> {
+    fn merged_with_patch(&self, mesh: &PatchMesh) -> Result<(Vec<DVec3>, Vec<[u32; 3]>)> {
         let rim = self.centred.len();
         let old = self.points.len();
         let mut points = alloc::copied(&self.points)?;
@@ -156,7 +157,7 @@ impl OldRing {
     /// Returns the curvature of a solved patch, including its rims; see [`mean_curvature`].
     pub(super) fn solved_curvature(&self, mesh: &PatchMesh, passes: u32, job: &Job<'_>) -> Result<Vec<DVec3>> {
         let (rim, old) = (self.centred.len(), self.points.len());
-        let (points, triangles) = self.merged_with(mesh)?;
+        let (points, triangles) = self.merged_with_patch(mesh)?;
         let all = mean_curvature(&points, &triangles, &|v| v >= old || v < rim && self.centred[v], passes, job)?;
         let mut own = alloc::copied(&all[..rim])?;
         alloc::append(&mut own, &all[old..])?;
@@ -164,10 +165,10 @@ impl OldRing {
     }
 
     /// Moves the vertices of `mesh` from `rim` to the minimum of the thin plate's energy.
-    pub(super) fn fair(&self, mesh: &mut PatchMesh, sizing: &Sizing, unfolds: bool, job: &Job<'_>) -> Result<()> {
+    pub(super) fn fair_patch(&self, mesh: &mut PatchMesh, sizing: &Sizing, unfolds: bool, job: &Job<'_>) -> Result<()> {
         let rim = self.centred.len();
         let (old, new) = (self.points.len(), mesh.points.len() - rim);
-        let (mut points, triangles) = self.merged_with(mesh)?;
+        let (mut points, triangles) = self.merged_with_patch(mesh)?;
         let mut free = alloc::filled(false, old + new)?;
         free[old..].fill(true);
         let mut centres = alloc::copied(&free)?;
@@ -191,7 +192,7 @@ impl OldRing {
         };
         thin_plate(&mut points, &plate, job)?;
         if unfolds {
-            return unfold(mesh, rim, &points[old..]);
+            return move_without_folds(mesh, rim, &points[old..]);
         }
         mesh.points[rim..].copy_from_slice(&points[old..]);
         Ok(())
