@@ -2,7 +2,9 @@
 
 use super::old_ring::{MIN_SMOOTH_BEND_COSINE, OldRing};
 use crate::fair::mean_curvature;
-use crate::remesh::{PatchMesh, Sizing, even, refine, size_growth, vertices_needed};
+use crate::remesh::{
+    PatchMesh, VertexSizes, estimate_new_vertices, even_out_side_lengths, refine_by_insertion, size_growth_for_limit,
+};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -66,7 +68,7 @@ pub(crate) struct BlendPlan<T: Fn(u32, u32) -> bool> {
     taken: T,
     /// The coarse triangles with refined sides.
     mesh: PatchMesh,
-    sizing: Sizing,
+    sizing: VertexSizes,
     /// Creases with a smaller cosine are smoothed out.
     min_cosine: f64,
     /// True for rim vertices at which old creases end.
@@ -92,19 +94,19 @@ impl<T: Fn(u32, u32) -> bool> BlendPlan<T> {
         size.iter_mut().for_each(|s| *s *= NEW_SIDE_TO_OLD_SIDE_RATIO);
         let at_rim = limits.at_rim.saturating_mul(rim as u32);
         let limit = limits.new.max(at_rim);
-        let needed = vertices_needed(&mesh, &size);
+        let needed = estimate_new_vertices(&mesh, &size);
         // Sides of length 0 make the estimate infinite.
         if !needed.is_finite() {
             return Ok(None);
         }
         let needed = needed.min(f64::from(limit));
-        let grown = size_growth(&mesh, &size, limit);
+        let grown = size_growth_for_limit(&mesh, &size, limit);
         if grown > limits.growth {
             return Ok(None);
         }
         size.iter_mut().for_each(|s| *s *= grown);
         ring.draw_old_vertices_near(&size)?;
-        let mut sizing = Sizing {
+        let mut sizing = VertexSizes {
             size,
             unfaired: alloc::copied(&mesh.points)?,
             curvature: alloc::filled(DVec3::ZERO, rim)?,
@@ -112,12 +114,12 @@ impl<T: Fn(u32, u32) -> bool> BlendPlan<T> {
             limit: rim + 2 * needed as usize + at_rim as usize,
             shortest: MIN_RELATIVE_SHORTEST_SIDE,
         };
-        even(&mut mesh, rim, &mut sizing, &taken, &job.part(0.0, 0.5))?;
-        refine(&mut mesh, rim, &mut sizing, &taken, &job.part(0.5, 0.8))?;
+        even_out_side_lengths(&mut mesh, rim, &mut sizing, &taken, &job.part(0.0, 0.5))?;
+        refine_by_insertion(&mut mesh, rim, &mut sizing, &taken, &job.part(0.5, 0.8))?;
         if limits.growth.is_finite() && mesh.points.len() >= sizing.limit {
             return Ok(None);
         }
-        mesh.settle(rim, &taken, SETTLE_ROUNDS[0], &job.part(0.8, 1.0))?;
+        mesh.move_vertices_within_surface(rim, &taken, SETTLE_ROUNDS[0], &job.part(0.8, 1.0))?;
         let closed = |v: usize| v >= rim;
         sizing.curvature =
             mean_curvature(&mesh.points, &mesh.triangles, &closed, CURVATURE_SMOOTHING_PASSES, &job.part(1.0, 1.0))?;
@@ -132,18 +134,18 @@ impl<T: Fn(u32, u32) -> bool> BlendPlan<T> {
         for round in 0..way.rounds {
             let part = job.part(0.0, 0.6).share(round as usize, way.rounds as usize);
             if round > 0 {
-                refine(&mut mesh, rim, &mut sizing, taken, &part.part(0.0, 0.3))?;
-                mesh.settle(rim, taken, SETTLE_ROUNDS[0], &part.part(0.3, 0.4))?;
+                refine_by_insertion(&mut mesh, rim, &mut sizing, taken, &part.part(0.0, 0.3))?;
+                mesh.move_vertices_within_surface(rim, taken, SETTLE_ROUNDS[0], &part.part(0.3, 0.4))?;
                 if let Some(passes) = ring.follows {
                     sizing.curvature = ring.solved_curvature(&mesh, passes, &part.part(0.4, 0.4))?;
                 }
             }
             ring.fair_patch(&mut mesh, &sizing, way.unfolds, &part.part(0.4, 1.0))?;
         }
-        mesh.iron(rim, self.min_cosine, &self.creased, &job.part(0.6, 0.7))?;
+        mesh.iron_out_creases(rim, self.min_cosine, &self.creased, &job.part(0.6, 0.7))?;
         sizing.shortest = FINAL_MIN_RELATIVE_SHORTEST_SIDE;
-        refine(&mut mesh, rim, &mut sizing, taken, &job.part(0.7, 0.8))?;
-        mesh.settle(rim, taken, SETTLE_ROUNDS[1], &job.part(0.8, 1.0))?;
+        refine_by_insertion(&mut mesh, rim, &mut sizing, taken, &job.part(0.7, 0.8))?;
+        mesh.move_vertices_within_surface(rim, taken, SETTLE_ROUNDS[1], &job.part(0.8, 1.0))?;
         let back = |points: &[DVec3]| alloc::collect(points[rim..].iter().map(|&p| p + ring.origin));
         Ok(Blend { points: back(&mesh.points)?, unfaired: back(&sizing.unfaired)?, triangles: mesh.triangles })
     }

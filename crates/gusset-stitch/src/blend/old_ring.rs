@@ -2,8 +2,8 @@
 //! clamped to them.
 
 use super::fold_free_moves::move_without_folds;
-use crate::fair::{Continuity, Plate, RestShape, Weights, mean_curvature, thin_plate};
-use crate::remesh::{PatchMesh, Sizing};
+use crate::fair::{Continuity, LaplacianWeights, Plate, RestShape, mean_curvature, minimise_plate_energy};
+use crate::remesh::{PatchMesh, VertexSizes};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -165,7 +165,13 @@ impl OldRing {
     }
 
     /// Moves the vertices of `mesh` from `rim` to the minimum of the thin plate's energy.
-    pub(super) fn fair_patch(&self, mesh: &mut PatchMesh, sizing: &Sizing, unfolds: bool, job: &Job<'_>) -> Result<()> {
+    pub(super) fn fair_patch(
+        &self,
+        mesh: &mut PatchMesh,
+        sizing: &VertexSizes,
+        unfolds: bool,
+        job: &Job<'_>,
+    ) -> Result<()> {
         let rim = self.centred.len();
         let (old, new) = (self.points.len(), mesh.points.len() - rim);
         let (mut points, triangles) = self.merged_with_patch(mesh)?;
@@ -185,12 +191,12 @@ impl OldRing {
             triangles: &triangles,
             free: &free,
             centres: &centres,
-            weights: Weights::Cotangent,
+            weights: LaplacianWeights::Cotangent,
             continuity: self.beyond.continuity,
             shape: is_bent.then_some(RestShape { curvature: &curvature, places: &places, reach: self.reach }),
             layout: None,
         };
-        thin_plate(&mut points, &plate, job)?;
+        minimise_plate_energy(&mut points, &plate, job)?;
         if unfolds {
             return move_without_folds(mesh, rim, &points[old..]);
         }

@@ -1,6 +1,6 @@
 //! Sets of chords of a loop that a triangulation may use.
 //!
-//! [`AllChords`] has every chord. [`NearChords`] has the chords near the sides of a coarser
+//! [`AllChords`] has every chord. [`ChordsNearTriangulation`] has the chords near the sides of a coarser
 //! triangulation.
 
 use gusset_base::error::Result;
@@ -9,7 +9,7 @@ use gusset_base::sort::Buckets;
 
 /// Numbered chords (i, k), i < k, of a loop of n vertices, including the edges (i, i + 1). The
 /// chords (i, m) and (m, k) have smaller numbers than (i, k).
-pub(super) trait Chords {
+pub(super) trait ChordSet {
     fn count(&self) -> usize;
     fn find(&self, i: usize, k: usize) -> Option<usize>;
     /// Calls `visit` for every chord, in the order of the numbers.
@@ -26,7 +26,7 @@ fn chord_number(i: usize, k: usize) -> usize {
     k * (k - 1) / 2 + (k - 1 - i)
 }
 
-impl Chords for AllChords {
+impl ChordSet for AllChords {
     fn count(&self) -> usize {
         self.0 * (self.0 - 1) / 2
     }
@@ -45,7 +45,7 @@ impl Chords for AllChords {
 }
 
 /// A sparse set of chords, indexed by both ends.
-pub(super) struct NearChords {
+pub(super) struct ChordsNearTriangulation {
     /// The chords (i, k) of one k occupy `first[start[k]..start[k + 1]]`. A chord's number is its
     /// index in `first`.
     start: Vec<u32>,
@@ -55,14 +55,14 @@ pub(super) struct NearChords {
     after: Buckets<(u32, u32)>,
 }
 
-impl NearChords {
+impl ChordsNearTriangulation {
     /// Builds the chords near a coarse triangulation of a loop of `n` vertices.
     ///
     /// `triangles` triangulates the vertices `kept` of the loop. The set has the edges of the loop,
     /// the chords that cut off one vertex, and the chord from the first to the last vertex. It also
     /// has each chord whose ends lie at most `band` vertices from the ends of a side of
     /// `triangles`. O(band^2 n) time and memory.
-    pub(super) fn new(n: usize, triangles: &[[u32; 3]], kept: &[u32], band: u32) -> Result<NearChords> {
+    pub(super) fn new(n: usize, triangles: &[[u32; 3]], kept: &[u32], band: u32) -> Result<ChordsNearTriangulation> {
         // Each chord is the longest side of exactly one triangle, in the numbering of the vertices.
         let edges = (1..kept.len() as u32).map(|v| (v - 1, v));
         let given = triangles.iter().map(|&[a, _, c]| (a, c)).chain(edges);
@@ -93,15 +93,15 @@ impl NearChords {
         let places = (0..n).flat_map(|k| (start[k]..start[k + 1]).map(move |number| (k, number)));
         let after =
             Buckets::new(n, (0, 0), places.map(|(k, number)| (first[number as usize] as usize, (k as u32, number))))?;
-        Ok(NearChords { start, first, after })
+        Ok(ChordsNearTriangulation { start, first, after })
     }
 
-    fn starts_to(&self, k: usize) -> &[u32] {
+    fn chord_starts_to(&self, k: usize) -> &[u32] {
         &self.first[self.start[k] as usize..self.start[k + 1] as usize]
     }
 }
 
-impl Chords for NearChords {
+impl ChordSet for ChordsNearTriangulation {
     fn count(&self) -> usize {
         self.first.len()
     }
@@ -121,7 +121,7 @@ impl Chords for NearChords {
     }
 
     fn each_apex(&self, i: usize, k: usize, mut visit: impl FnMut(usize, [usize; 2])) {
-        let (after, before, start) = (self.after.get(i), self.starts_to(k), self.start[k] as usize);
+        let (after, before, start) = (self.after.get(i), self.chord_starts_to(k), self.start[k] as usize);
         // Walk the shorter list, and search the longer one.
         if after.len() <= before.len() {
             for &(m, left) in after.iter().take_while(|&&(m, _)| (m as usize) < k) {

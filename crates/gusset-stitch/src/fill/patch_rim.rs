@@ -1,6 +1,6 @@
 //! The loops of one patch and the faces around them, with their own vertex numbers.
 
-use super::weigh::Polygon;
+use super::triangulation_cost::Polygon;
 use crate::blend::{MAX_FAN_TRIANGLES, OldRing, SecondRing};
 use crate::fair::Continuity;
 use glam::DVec3;
@@ -61,7 +61,7 @@ impl PatchRim {
 
     /// Creates the rim of a part with one loop, from points in the unit and from the origin of this
     /// rim.
-    pub(super) fn part(
+    pub(super) fn rim_of_part(
         &self,
         points: Vec<DVec3>,
         faces: OldFaces,
@@ -93,12 +93,12 @@ impl PatchRim {
     }
 
     /// Converts a point back to mesh coordinates.
-    pub(super) fn to_mesh(&self, p: DVec3) -> DVec3 {
+    pub(super) fn to_mesh_coordinates(&self, p: DVec3) -> DVec3 {
         (p + self.origin) * self.unit
     }
 
     /// Returns each loop as a polygon.
-    pub(super) fn polygons(&self) -> Result<Vec<Polygon>> {
+    pub(super) fn loop_polygons(&self) -> Result<Vec<Polygon>> {
         let mut first = 0;
         alloc::try_collect(self.lengths.iter().map(|&n| {
             let own = first..first + n;
@@ -111,7 +111,7 @@ impl PatchRim {
     /// Returns the number of smoothing steps for the curvature of a patch. The curvature then
     /// spreads over about a third of a round hole. The number grows with the square of the longest
     /// loop's length in edges.
-    fn smoothing_steps(&self) -> u32 {
+    fn curvature_smoothing_steps(&self) -> u32 {
         let radius = self.lengths.iter().copied().max().unwrap_or(0) as f64 / std::f64::consts::TAU;
         (0.5 * radius * radius).clamp(10.0, 400.0) as u32
     }
@@ -129,14 +129,14 @@ impl PatchRim {
             centred: alloc::collect(self.whole.iter().zip(&valence).map(is_centre))?,
             rims: alloc::collect(self.lengths.iter().map(|&n| (n, true)))?,
             reach: f64::INFINITY,
-            follows: (continuity == Continuity::C1).then(|| self.smoothing_steps()),
-            beyond: self.beyond(continuity)?,
+            follows: (continuity == Continuity::C1).then(|| self.curvature_smoothing_steps()),
+            beyond: self.second_ring(continuity)?,
         })
     }
 
     /// Returns the faces beyond the rim. A vertex outside the rim gets a Laplacian only if its
     /// one-ring is complete.
-    fn beyond(&self, continuity: Continuity) -> Result<SecondRing> {
+    fn second_ring(&self, continuity: Continuity) -> Result<SecondRing> {
         if continuity == Continuity::C1 {
             return Ok(SecondRing::default());
         }

@@ -19,7 +19,7 @@ use super::neighbourhood::{IntersectingTriangles, Neighbourhood};
 use super::stitch_request::{Cells, Fairing, Finish, Intersections, Options};
 use super::strip::Strip;
 use crate::blend::MAX_FAN_TRIANGLES;
-use crate::fair::{Continuity, Plate, Weights, thin_plate};
+use crate::fair::{Continuity, LaplacianWeights, Plate, minimise_plate_energy};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -222,12 +222,12 @@ impl Neighbourhood<'_> {
             triangles: &triangles,
             free: &free,
             centres: &centres,
-            weights: Weights::Uniform,
+            weights: LaplacianWeights::Uniform,
             continuity: Continuity::C1,
             shape: None,
             layout: Some(&layout),
         };
-        thin_plate(&mut points, &plate, job)?;
+        minimise_plate_energy(&mut points, &plate, job)?;
         for (&v, &p) in vertices.iter().zip(&points) {
             if is_new(v) {
                 self.points[(v - self.base) as usize] = p;

@@ -36,7 +36,7 @@ impl Polygon {
     pub(super) fn new(points: Vec<DVec3>, across: Vec<DVec3>, normals: Vec<DVec3>) -> Self {
         let mut polygon = Polygon { points, across, normals, per_unit: 0.0 };
         let length = polygon.perimeter();
-        polygon.per_unit = if length > 0.0 { BULGE_UNITS / length } else { 0.0 };
+        polygon.per_unit = if length > 0.0 { BULGE_UNITS_PER_RIM / length } else { 0.0 };
         polygon
     }
 
@@ -46,18 +46,18 @@ impl Polygon {
     }
 
     /// Returns the polygon thinned to at most `most` points.
-    pub(super) fn thinned_to(&self, most: usize) -> Result<Polygon> {
+    pub(super) fn thinned_to_points(&self, most: usize) -> Result<Polygon> {
         let of = |points: &[DVec3]| alloc::copied(points);
         let (points, across, normals) = (of(&self.points)?, of(&self.across)?, of(&self.normals)?);
         let mut few = Polygon { points, across, normals, per_unit: self.per_unit };
         while few.points.len() > most {
-            few = few.coarser()?.0;
+            few = few.every_other_point()?.0;
         }
         Ok(few)
     }
 
     /// Keeps every other point and the last one. Also returns the old index of each point.
-    pub(super) fn coarser(&self) -> Result<(Polygon, Vec<u32>)> {
+    pub(super) fn every_other_point(&self) -> Result<(Polygon, Vec<u32>)> {
         let n = self.points.len();
         let mut kept = alloc::collect((0..n.div_ceil(2)).map(|i| 2 * i as u32))?;
         if n.is_multiple_of(2) {
@@ -76,7 +76,7 @@ impl Polygon {
 
 /// The cost of a triangulation. Costs are compared field by field; less is better.
 #[derive(Clone, Copy)]
-pub(super) struct Cost {
+pub(super) struct TriangulationCost {
     /// The number of triangles without area.
     degenerate: u32,
     /// The largest bend across an edge, as 1 - cosine in steps of 2^-20, so that rounding does not
@@ -88,11 +88,11 @@ pub(super) struct Cost {
     sides: f64,
 }
 
-impl Cost {
-    pub(super) const ZERO: Cost = Cost { degenerate: 0, bend: 0, value: 0.0, sides: 0.0 };
+impl TriangulationCost {
+    pub(super) const ZERO: TriangulationCost = TriangulationCost { degenerate: 0, bend: 0, value: 0.0, sides: 0.0 };
 
-    pub(super) fn plus(self, other: Cost) -> Cost {
-        Cost {
+    pub(super) fn plus(self, other: TriangulationCost) -> TriangulationCost {
+        TriangulationCost {
             degenerate: self.degenerate + other.degenerate,
             bend: self.bend.max(other.bend),
             value: self.value + other.value,
@@ -101,19 +101,19 @@ impl Cost {
     }
 
     /// Multiplies the cost by a factor.
-    pub(super) fn scaled(self, times: f64) -> Cost {
+    pub(super) fn scaled(self, times: f64) -> TriangulationCost {
         let bend = (f64::from(self.bend) * times).ceil() as u32;
-        Cost { bend, value: self.value * times, sides: self.sides * times, ..self }
+        TriangulationCost { bend, value: self.value * times, sides: self.sides * times, ..self }
     }
 
     #[cfg(test)]
-    pub(super) fn value(&self) -> f64 {
+    pub(super) fn weighted_value(&self) -> f64 {
         self.value
     }
 
     /// Returns the relative gain in value over another cost; 1 if this cost has fewer degenerate
     /// triangles or a smaller bend.
-    pub(super) fn gain_over(&self, other: &Cost) -> f64 {
+    pub(super) fn relative_gain_over(&self, other: &TriangulationCost) -> f64 {
         match (self.degenerate, self.bend).cmp(&(other.degenerate, other.bend)) {
             Ordering::Less => 1.0,
             Ordering::Greater => 0.0,
@@ -124,22 +124,22 @@ impl Cost {
 
 /// The length of a rim in units of bulges. A surface that is one unit away from its triangulation
 /// everywhere costs as much as an edge that bends by 60 degrees.
-const BULGE_UNITS: f64 = 140.0;
+const BULGE_UNITS_PER_RIM: f64 = 140.0;
 /// Areas count as equal if they differ by at most this fraction of the loop's squared size.
-const MAX_EQUAL_AREA_DIFFERENCE: f64 = 1e-14;
+const MAX_RELATIVE_EQUAL_AREA_DIFFERENCE: f64 = 1e-14;
 /// Sums of angles count as equal if they differ by at most this, in radians. The rounding is large
 /// because a bend of 0 is the square root of a rounding error.
-const MAX_EQUAL_ANGLE_DIFFERENCE: f64 = 1e-6;
+const MAX_EQUAL_ANGLE_SUM_DIFFERENCE: f64 = 1e-6;
 /// A triangle is degenerate if its doubled area is at most this fraction of its sides' squares.
 const MAX_FLAT_RATIO: f64 = 1e-10;
 /// The ends of a side coincide if its length is at most this fraction of the triangle's size.
 const MAX_SEAM_RATIO: f64 = 1e-10;
-/// Number of steps of [`Cost::bend`] per unit of 1 - cosine.
-const BEND_STEPS: f64 = (1 << 20) as f64;
+/// Number of steps of [`TriangulationCost::bend`] per unit of 1 - cosine.
+const BEND_STEPS_PER_COSINE: f64 = (1 << 20) as f64;
 
 /// The quantities that all triangulations of the same loops share.
 #[derive(Clone, Copy)]
-pub(super) struct Measure {
+pub(super) struct LoopMeasure {
     /// The square of the largest distance from the first point.
     size: f64,
     /// The reciprocal of the unit of bulges.
@@ -148,57 +148,57 @@ pub(super) struct Measure {
     triangles: f64,
 }
 
-impl Measure {
+impl LoopMeasure {
     /// Measures loops whose triangulations have this number of triangles.
-    pub(super) fn new<'a>(loops: impl Iterator<Item = &'a [DVec3]> + Clone, triangles: usize) -> Measure {
+    pub(super) fn new<'a>(loops: impl Iterator<Item = &'a [DVec3]> + Clone, triangles: usize) -> LoopMeasure {
         let first = loops.clone().flatten().next().copied().unwrap_or_default();
         let size = loops.clone().flatten().map(|p| p.distance_squared(first)).fold(0.0, f64::max);
         let sides = loops.flat_map(|points| points.iter().zip(points.iter().cycle().skip(1)));
         let length: f64 = sides.map(|(p, q)| p.distance(*q)).sum();
-        let per_unit = if length > 0.0 { BULGE_UNITS / length } else { 0.0 };
-        Measure { size, per_unit, triangles: triangles.max(1) as f64 }
+        let per_unit = if length > 0.0 { BULGE_UNITS_PER_RIM / length } else { 0.0 };
+        LoopMeasure { size, per_unit, triangles: triangles.max(1) as f64 }
     }
 
     /// Replaces the unit of bulges by the unit of `all`.
-    pub(super) fn with_unit_of(self, all: Measure) -> Measure {
-        Measure { per_unit: all.per_unit, ..self }
+    pub(super) fn with_bulge_unit_of(self, all: LoopMeasure) -> LoopMeasure {
+        LoopMeasure { per_unit: all.per_unit, ..self }
     }
 }
 
 /// The weights of the triangulations of one polygon.
-pub(super) struct Scale<'a> {
+pub(super) struct CostScale<'a> {
     polygon: &'a Polygon,
     /// True for places whose edge to the next place is a bridge. Empty for a single loop.
     bridges: &'a [bool],
     weight: Weight,
     /// Values that differ by at most this are equal.
     rounding: f64,
-    measure: Measure,
+    measure: LoopMeasure,
 }
 
-impl<'a> Scale<'a> {
+impl<'a> CostScale<'a> {
     pub(super) fn new(polygon: &'a Polygon, weight: Weight) -> Self {
         let points = &polygon.points;
         let size = points.iter().map(|p| p.distance_squared(points[0])).fold(0.0, f64::max);
         let triangles = points.len().saturating_sub(2).max(1) as f64;
-        Scale::for_opened(polygon, weight, Measure { size, per_unit: polygon.per_unit, triangles }, &[])
+        CostScale::for_opened(polygon, weight, LoopMeasure { size, per_unit: polygon.per_unit, triangles }, &[])
     }
 
     /// Creates the scale of loops that are cut open along bridges into one polygon.
-    pub(super) fn for_opened(polygon: &'a Polygon, weight: Weight, measure: Measure, bridges: &'a [bool]) -> Self {
+    pub(super) fn for_opened(polygon: &'a Polygon, weight: Weight, measure: LoopMeasure, bridges: &'a [bool]) -> Self {
         let rounding = if weight == Weight::Continuation {
-            MAX_EQUAL_ANGLE_DIFFERENCE
+            MAX_EQUAL_ANGLE_SUM_DIFFERENCE
         } else {
-            MAX_EQUAL_AREA_DIFFERENCE * measure.size
+            MAX_RELATIVE_EQUAL_AREA_DIFFERENCE * measure.size
         };
-        Scale { polygon, bridges, weight, rounding, measure }
+        CostScale { polygon, bridges, weight, rounding, measure }
     }
 
     pub(super) fn polygon(&self) -> &'a Polygon {
         self.polygon
     }
 
-    pub(super) fn is_less(&self, a: &Cost, b: &Cost) -> bool {
+    pub(super) fn is_less(&self, a: &TriangulationCost, b: &TriangulationCost) -> bool {
         match (a.degenerate, a.bend).cmp(&(b.degenerate, b.bend)) {
             Ordering::Less => true,
             Ordering::Greater => false,
@@ -209,16 +209,16 @@ impl<'a> Scale<'a> {
 
     /// Returns the likely distance of the old surface from the middle of the chord (i, k), in the
     /// unit of bulges; 0 along the rim.
-    pub(super) fn bulge(&self, i: usize, k: usize) -> f64 {
+    pub(super) fn chord_bulge(&self, i: usize, k: usize) -> f64 {
         let is_rim = |edge: usize| !self.bridges.get(edge).is_some_and(|&is_bridge| is_bridge);
         if k == i + 1 && is_rim(i) || k - i + 1 == self.polygon.points.len() && is_rim(k) {
             return 0.0;
         }
-        self.bulge_of([i, k])
+        self.bulge_of_any_chord([i, k])
     }
 
     /// Returns the bulge of a chord between any two vertices.
-    pub(super) fn bulge_of(&self, [i, k]: [usize; 2]) -> f64 {
+    pub(super) fn bulge_of_any_chord(&self, [i, k]: [usize; 2]) -> f64 {
         let Polygon { points, normals, .. } = self.polygon;
         if self.weight != Weight::Continuation {
             return 0.0;
@@ -236,18 +236,22 @@ impl<'a> Scale<'a> {
     /// `None` for other triangles, and if there are several loops. Without seams, a slit with
     /// coincident sides would be closed by pairs of triangles back to back, because triangles
     /// without area are the last choice.
-    pub(super) fn seam(&self, [i, m, k]: [usize; 3], [left, right]: [DVec3; 2]) -> Option<(DVec3, Cost)> {
+    pub(super) fn close_seam(
+        &self,
+        [i, m, k]: [usize; 3],
+        [left, right]: [DVec3; 2],
+    ) -> Option<(DVec3, TriangulationCost)> {
         let squared = |a: usize, b: usize| self.polygon.points[a].distance_squared(self.polygon.points[b]);
         let [first, second, third] = [squared(i, m), squared(m, k), squared(k, i)];
         let none = MAX_SEAM_RATIO * MAX_SEAM_RATIO * (first + second + third);
         if !self.bridges.is_empty() {
             None
         } else if third <= none {
-            Some((DVec3::ZERO, self.bend([i, m], left, right)))
+            Some((DVec3::ZERO, self.bend_cost([i, m], left, right)))
         } else if first <= none {
-            Some((right, Cost::ZERO))
+            Some((right, TriangulationCost::ZERO))
         } else if second <= none {
-            Some((left, Cost::ZERO))
+            Some((left, TriangulationCost::ZERO))
         } else {
             None
         }
@@ -255,7 +259,7 @@ impl<'a> Scale<'a> {
 
     /// Returns the unit normal of a triangle (0 if the triangle is degenerate) and its own cost.
     /// `bulges` belong to its three sides.
-    pub(super) fn triangle(&self, corners: [usize; 3], bulges: [f64; 3]) -> (DVec3, Cost) {
+    pub(super) fn triangle_cost(&self, corners: [usize; 3], bulges: [f64; 3]) -> (DVec3, TriangulationCost) {
         let [p, q, r] = corners.map(|k| self.polygon.points[k]);
         let cross = (q - p).cross(r - p);
         let double_area = cross.length();
@@ -270,13 +274,13 @@ impl<'a> Scale<'a> {
             Weight::Continuation => (x * x + y * y + z * z + x * y + y * z + z * x) / (6.0 * self.measure.triangles),
             Weight::AreaAndBend | Weight::BendThenArea | Weight::Area => 0.5 * double_area,
         };
-        (normal, Cost { degenerate: u32::from(flat), bend: 0, value, sides })
+        (normal, TriangulationCost { degenerate: u32::from(flat), bend: 0, value, sides })
     }
 
     /// Returns the cost of the bend across the chord (i, k) between two unit normals; 0 if one is
     /// unknown.
-    pub(super) fn bend(&self, [i, k]: [usize; 2], a: DVec3, b: DVec3) -> Cost {
-        let mut cost = Cost::ZERO;
+    pub(super) fn bend_cost(&self, [i, k]: [usize; 2], a: DVec3, b: DVec3) -> TriangulationCost {
+        let mut cost = TriangulationCost::ZERO;
         if a == DVec3::ZERO || b == DVec3::ZERO {
             return cost;
         }
@@ -285,7 +289,7 @@ impl<'a> Scale<'a> {
             Weight::Area => {}
             // 2 sin(t / 2) = sqrt(2 (1 - cos t)).
             Weight::Continuation => cost.value = (2.0 * bend).sqrt(),
-            Weight::BendThenArea => cost.bend = (BEND_STEPS * bend).round() as u32,
+            Weight::BendThenArea => cost.bend = (BEND_STEPS_PER_COSINE * bend).round() as u32,
             Weight::AreaAndBend => {
                 cost.value = bend * self.polygon.points[i].distance_squared(self.polygon.points[k]);
             }

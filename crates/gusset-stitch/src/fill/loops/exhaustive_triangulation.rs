@@ -1,12 +1,12 @@
 //! All triangulations of a few small loops by enumeration: the reference for the search.
 
 use super::super::Weight;
-use super::super::weigh::Polygon;
+use super::super::triangulation_cost::Polygon;
 use glam::DVec3;
 
 /// The state of a directed pair of vertices.
 #[derive(Clone, Copy, PartialEq)]
-enum Side {
+enum SideState {
     Free,
     /// A triangle has yet to run along it.
     Wanted,
@@ -17,14 +17,14 @@ enum Side {
 }
 
 /// Closes the first wanted side by every possible third vertex, and so on.
-pub(super) struct Exhaustive<'a> {
+pub(super) struct ExhaustiveTriangulation<'a> {
     weight: Weight,
     points: Vec<DVec3>,
     normals: Vec<DVec3>,
     across: Vec<DVec3>,
     next: Vec<usize>,
     unit: f64,
-    sides: Vec<Side>,
+    sides: Vec<SideState>,
     triangles: Vec<[u32; 3]>,
     /// The number of triangles of a complete triangulation.
     count: usize,
@@ -35,19 +35,27 @@ pub(super) struct Exhaustive<'a> {
     limit: f64,
 }
 
-impl<'a> Exhaustive<'a> {
+impl<'a> ExhaustiveTriangulation<'a> {
     /// Returns the least cost below `limit`; infinity if there is none.
-    pub(super) fn least(loops: &[Polygon], weight: Weight, taken: &'a dyn Fn(u32, u32) -> bool, limit: f64) -> f64 {
-        let mut search = Exhaustive::new(loops, weight, taken);
+    pub(super) fn least_cost(
+        loops: &[Polygon],
+        weight: Weight,
+        taken: &'a dyn Fn(u32, u32) -> bool,
+        limit: f64,
+    ) -> f64 {
+        let mut search = ExhaustiveTriangulation::new(loops, weight, taken);
         search.limit = limit;
-        search.close(0.0);
+        search.close_first_wanted_side(0.0);
         search.best
     }
 
     /// Returns the cost of the given triangles.
-    pub(super) fn cost(loops: &[Polygon], weight: Weight, triangles: &[[u32; 3]]) -> f64 {
-        let mut search = Exhaustive::new(loops, weight, &|_, _| false);
-        triangles.iter().map(|triangle| search.place(triangle.map(|v| v as usize)).expect("sides that are free")).sum()
+    pub(super) fn cost_of_triangles(loops: &[Polygon], weight: Weight, triangles: &[[u32; 3]]) -> f64 {
+        let mut search = ExhaustiveTriangulation::new(loops, weight, &|_, _| false);
+        triangles
+            .iter()
+            .map(|triangle| search.place_triangle(triangle.map(|v| v as usize)).expect("sides that are free"))
+            .sum()
     }
 
     fn new(loops: &[Polygon], weight: Weight, taken: &'a dyn Fn(u32, u32) -> bool) -> Self {
@@ -59,25 +67,38 @@ impl<'a> Exhaustive<'a> {
             let start = next.len();
             next.extend((0..polygon.points.len()).map(|i| start + (i + 1) % polygon.points.len()));
         }
-        let mut sides = vec![Side::Free; n * n];
+        let mut sides = vec![SideState::Free; n * n];
         for (u, &v) in next.iter().enumerate() {
-            sides[u * n + v] = Side::Wanted;
-            sides[v * n + u] = Side::Closed;
+            sides[u * n + v] = SideState::Wanted;
+            sides[v * n + u] = SideState::Closed;
         }
         let unit = (0..n).map(|u| points[u].distance(points[next[u]])).sum::<f64>() / 140.0;
         let (normals, across) = (all(|polygon| &polygon.normals), all(|polygon| &polygon.across));
         let count = n + 2 * loops.len() - 4;
         let (triangles, best, limit) = (Vec::new(), f64::INFINITY, f64::INFINITY);
-        Exhaustive { weight, points, normals, across, next, unit, sides, triangles, count, taken, best, limit }
+        ExhaustiveTriangulation {
+            weight,
+            points,
+            normals,
+            across,
+            next,
+            unit,
+            sides,
+            triangles,
+            count,
+            taken,
+            best,
+            limit,
+        }
     }
 
-    fn close(&mut self, cost: f64) {
+    fn close_first_wanted_side(&mut self, cost: f64) {
         if cost >= self.limit {
             return;
         }
         let n = self.points.len();
-        let Some(side) = self.sides.iter().position(|&side| side == Side::Wanted) else {
-            if self.triangles.len() == self.count && is_surface(&self.triangles, n, &self.next) {
+        let Some(side) = self.sides.iter().position(|&side| side == SideState::Wanted) else {
+            if self.triangles.len() == self.count && is_connected_manifold(&self.triangles, n, &self.next) {
                 (self.best, self.limit) = (cost, cost);
             }
             return;
@@ -89,8 +110,8 @@ impl<'a> Exhaustive<'a> {
         for w in (0..n).filter(|&w| w != u && w != v) {
             let before =
                 [(u, v), (v, u), (v, w), (w, v), (w, u), (u, w)].map(|(a, b)| (a * n + b, self.sides[a * n + b]));
-            if let Some(more) = self.place([u, v, w]) {
-                self.close(cost + more);
+            if let Some(more) = self.place_triangle([u, v, w]) {
+                self.close_first_wanted_side(cost + more);
                 self.triangles.pop();
             }
             before.iter().for_each(|&(at, side)| self.sides[at] = side);
@@ -99,11 +120,11 @@ impl<'a> Exhaustive<'a> {
 
     /// Adds a triangle. Returns its cost, including the bends at its sides that now have two
     /// triangles, or `None` if the triangle is not possible.
-    fn place(&mut self, corners: [usize; 3]) -> Option<f64> {
+    fn place_triangle(&mut self, corners: [usize; 3]) -> Option<f64> {
         let n = self.points.len();
         let pairs = [0, 1, 2].map(|k| (corners[k], corners[(k + 1) % 3]));
         let is_new = |&(u, v): &(usize, usize)| self.next[u] != v && self.next[v] != u;
-        let can = |&(u, v): &(usize, usize)| matches!(self.sides[u * n + v], Side::Free | Side::Wanted);
+        let can = |&(u, v): &(usize, usize)| matches!(self.sides[u * n + v], SideState::Free | SideState::Wanted);
         let is_taken = |&(u, v): &(usize, usize)| (self.taken)(u as u32, v as u32);
         if !pairs.iter().all(|pair| can(pair) && !(is_new(pair) && is_taken(pair))) {
             return None;
@@ -123,8 +144,8 @@ impl<'a> Exhaustive<'a> {
         };
         for (u, v) in pairs {
             let beyond = match self.sides[v * n + u] {
-                Side::Run(beyond) => Some(beyond),
-                Side::Closed => Some(self.across[u]).filter(|&across| across != DVec3::ZERO),
+                SideState::Run(beyond) => Some(beyond),
+                SideState::Closed => Some(self.across[u]).filter(|&across| across != DVec3::ZERO),
                 _ => None,
             };
             let cosine = beyond.map_or(1.0, |beyond| beyond.dot(normal).min(1.0));
@@ -134,9 +155,9 @@ impl<'a> Exhaustive<'a> {
                 Weight::AreaAndBend => (1.0 - cosine) * self.points[u].distance_squared(self.points[v]),
                 _ => 0.0,
             };
-            self.sides[u * n + v] = Side::Run(normal);
-            if self.sides[v * n + u] == Side::Free {
-                self.sides[v * n + u] = Side::Wanted;
+            self.sides[u * n + v] = SideState::Run(normal);
+            if self.sides[v * n + u] == SideState::Free {
+                self.sides[v * n + u] = SideState::Wanted;
             }
         }
         self.triangles.push(corners.map(|v| v as u32));
@@ -146,7 +167,7 @@ impl<'a> Exhaustive<'a> {
 
 /// Returns true if the surface is connected, and the triangles at each vertex form one fan from its
 /// outgoing to its incoming rim edge.
-pub(super) fn is_surface(triangles: &[[u32; 3]], n: usize, next: &[usize]) -> bool {
+pub(super) fn is_connected_manifold(triangles: &[[u32; 3]], n: usize, next: &[usize]) -> bool {
     use std::collections::BTreeMap;
     let mut third = BTreeMap::new();
     for &[a, b, c] in triangles {

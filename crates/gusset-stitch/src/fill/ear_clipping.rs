@@ -19,9 +19,9 @@ use std::ops::Range;
 /// Largest number of grid cells along each axis.
 const MAX_GRID_CELLS: f64 = 1024.0;
 /// Largest distance of planar points from their plane, relative to the size of the point set.
-const MAX_RELATIVE_DEVIATION: f64 = 1e-6;
+const MAX_PLANAR_DEVIATION: f64 = 1e-6;
 /// Ears between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 10;
+const EARS_PER_REPORT: usize = 1 << 10;
 
 /// Triangulates the loop through `points`. Returns `None` if every remaining ear has a `taken`
 /// edge.
@@ -34,25 +34,25 @@ pub(crate) fn clip_ears(
     job: &Job<'_>,
 ) -> Result<Option<Vec<[u32; 3]>>> {
     let n = points.len();
-    let mut ring = Ring::new(points)?;
+    let mut ring = RemainingLoop::new(points)?;
     let mut triangles = alloc::with_capacity(n - 2)?;
     // Shortest ear first. Outdated entries are skipped when they are popped.
     let mut ears = BinaryHeap::from(alloc::with_capacity(4 * n)?);
     for strict in [true, false] {
         ears.clear();
-        ears.extend((0..n as u32).filter(|&v| ring.is_left(v)).map(|v| Reverse(ring.ear(points, v))));
+        ears.extend((0..n as u32).filter(|&v| ring.turns_left(v)).map(|v| Reverse(ring.ear_with_size(points, v))));
         while let (Some(Reverse((_, [a, b, c]))), true) = (ears.pop(), triangles.len() + 3 < n) {
-            let stale = !ring.is_left(b) || ring.previous[b as usize] != a || ring.next[b as usize] != c;
-            if stale || taken(a, c) || strict && !ring.is_ear([a, b, c]) {
+            let stale = !ring.turns_left(b) || ring.previous[b as usize] != a || ring.next[b as usize] != c;
+            if stale || taken(a, c) || strict && !ring.is_free_of_reflex_vertices([a, b, c]) {
                 continue;
             }
-            job.step_every(REPORT_INTERVAL, triangles.len(), n, "triangulating holes")?;
+            job.step_every(EARS_PER_REPORT, triangles.len(), n, "triangulating holes")?;
             triangles.push([a, b, c]);
-            ring.remove(b);
-            ears.extend([a, c].map(|v| Reverse(ring.ear(points, v))));
+            ring.remove_vertex(b);
+            ears.extend([a, c].map(|v| Reverse(ring.ear_with_size(points, v))));
         }
     }
-    let Some(v) = (0..n as u32).find(|&v| ring.is_left(v)) else {
+    let Some(v) = (0..n as u32).find(|&v| ring.turns_left(v)) else {
         return Ok(None);
     };
     triangles.push([ring.previous[v as usize], v, ring.next[v as usize]]);
@@ -60,7 +60,7 @@ pub(crate) fn clip_ears(
 }
 
 /// The remaining loop.
-struct Ring {
+struct RemainingLoop {
     /// The loop projected along its mean normal, counter-clockwise.
     flat: Vec<DVec2>,
     previous: Vec<u32>,
@@ -70,55 +70,59 @@ struct Ring {
     grid: ReflexGrid,
 }
 
-impl Ring {
-    fn new(points: &[DVec3]) -> Result<Ring> {
+impl RemainingLoop {
+    fn new(points: &[DVec3]) -> Result<RemainingLoop> {
         let n = points.len();
-        let flat = flattened(points)?;
+        let flat = project_to_plane(points)?;
         let previous = alloc::collect((0..n).map(|i| ((i + n - 1) % n) as u32))?;
         let next = alloc::collect((0..n).map(|i| ((i + 1) % n) as u32))?;
-        let reflex = alloc::collect((0..n).map(|i| turn(flat[(i + n - 1) % n], flat[i], flat[(i + 1) % n]) <= 0.0))?;
+        let reflex =
+            alloc::collect((0..n).map(|i| signed_turn(flat[(i + n - 1) % n], flat[i], flat[(i + 1) % n]) <= 0.0))?;
         let grid = ReflexGrid::new(&flat, &reflex)?;
-        Ok(Ring { flat, previous, next, reflex, grid })
+        Ok(RemainingLoop { flat, previous, next, reflex, grid })
     }
 
-    fn is_left(&self, v: u32) -> bool {
+    fn turns_left(&self, v: u32) -> bool {
         self.next[v as usize] != v
     }
 
     /// Returns the ear at `v` after the bits of its squared length, which sort like the lengths.
-    fn ear(&self, points: &[DVec3], v: u32) -> (u64, [u32; 3]) {
+    fn ear_with_size(&self, points: &[DVec3], v: u32) -> (u64, [u32; 3]) {
         let (a, c) = (self.previous[v as usize], self.next[v as usize]);
         (points[a as usize].distance_squared(points[c as usize]).to_bits(), [a, v, c])
     }
 
-    fn is_ear(&self, ear: [u32; 3]) -> bool {
+    fn is_free_of_reflex_vertices(&self, ear: [u32; 3]) -> bool {
         let [a, b, c] = ear.map(|v| self.flat[v as usize]);
         if self.reflex[ear[1] as usize] {
             return false;
         }
         // Exclude the corners: the polygon passes the ends of a bridge more than once.
         let at_corner = |p: DVec2| p == a || p == b || p == c;
-        let holds = |p: DVec2| turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0 && !at_corner(p);
+        let holds = |p: DVec2| {
+            signed_turn(a, b, p) >= 0.0 && signed_turn(b, c, p) >= 0.0 && signed_turn(c, a, p) >= 0.0 && !at_corner(p)
+        };
         let (low, high) = (a.min(b).min(c), a.max(b).max(c));
-        let blocks =
-            |&v: &u32| self.reflex[v as usize] && self.is_left(v) && !ear.contains(&v) && holds(self.flat[v as usize]);
-        !self.grid.rows(low, high).any(|row| self.grid.vertices.items()[row].iter().any(blocks))
+        let blocks = |&v: &u32| {
+            self.reflex[v as usize] && self.turns_left(v) && !ear.contains(&v) && holds(self.flat[v as usize])
+        };
+        !self.grid.vertex_ranges_of_rows(low, high).any(|row| self.grid.vertices.items()[row].iter().any(blocks))
     }
 
-    fn remove(&mut self, v: u32) {
+    fn remove_vertex(&mut self, v: u32) {
         let (a, c) = (self.previous[v as usize], self.next[v as usize]);
         self.next[a as usize] = c;
         self.previous[c as usize] = a;
         self.next[v as usize] = v;
         for v in [a, c].map(|v| v as usize) {
             let (p, q) = (self.previous[v] as usize, self.next[v] as usize);
-            self.reflex[v] = turn(self.flat[p], self.flat[v], self.flat[q]) <= 0.0;
+            self.reflex[v] = signed_turn(self.flat[p], self.flat[v], self.flat[q]) <= 0.0;
         }
     }
 }
 
 /// Returns a positive value if the path from `a` through `b` to `c` turns left.
-fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+fn signed_turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (b - a).perp_dot(c - a)
 }
 
@@ -133,11 +137,11 @@ pub(super) fn mean_normal(points: &[DVec3]) -> DVec3 {
 /// single-precision round-off.
 pub(super) fn is_planar(points: &[DVec3], normal: DVec3) -> bool {
     let size = points.iter().map(|p| p.distance(points[0])).fold(0.0, f64::max);
-    points.iter().all(|&p| (p - points[0]).dot(normal).abs() <= MAX_RELATIVE_DEVIATION * size)
+    points.iter().all(|&p| (p - points[0]).dot(normal).abs() <= MAX_PLANAR_DEVIATION * size)
 }
 
 /// Projects the loop along its mean normal, counter-clockwise.
-fn flattened(points: &[DVec3]) -> Result<Vec<DVec2>> {
+fn project_to_plane(points: &[DVec3]) -> Result<Vec<DVec2>> {
     let (origin, normal) = (points[0], mean_normal(points));
     let x = normal.any_orthonormal_vector();
     let y = normal.cross(x);
@@ -175,7 +179,7 @@ impl ReflexGrid {
     }
 
     /// For each row of cells that the box touches, returns the range of its vertices.
-    fn rows(&self, low: DVec2, high: DVec2) -> impl Iterator<Item = Range<usize>> + '_ {
+    fn vertex_ranges_of_rows(&self, low: DVec2, high: DVec2) -> impl Iterator<Item = Range<usize>> + '_ {
         let ((left, bottom), (right, top)) = (self.cell_of(low), self.cell_of(high));
         (bottom..=top).map(move |row| {
             let at = |column: usize| self.vertices.range(row * self.columns + column);

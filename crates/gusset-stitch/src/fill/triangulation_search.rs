@@ -11,73 +11,73 @@
 //! own result until the gain is small. There are O(n) chords and O(n) triangles in total.
 
 use super::Weight;
-use super::chords::{AllChords, Chords, NearChords};
-use super::weigh::{Cost, Polygon, Scale};
+use super::chords::{AllChords, ChordSet, ChordsNearTriangulation};
+use super::triangulation_cost::{CostScale, Polygon, TriangulationCost};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
 /// Loops of at most this many vertices are searched with all chords.
-pub(super) const MAX_EXACT: usize = 128;
+pub(super) const MAX_EXACT_VERTICES: usize = 128;
 /// Largest distance, in vertices, between the ends of a fine chord and the ends of a coarse one.
 /// The bands are tried in order, because a narrow one may lack a triangulation without taken
 /// chords.
-const BANDS: [u32; 4] = [2, 4, 8, 16];
+const BAND_WIDTHS: [u32; 4] = [2, 4, 8, 16];
 /// Loops with more vertices start with the narrowest band.
-const MAX_WIDE: usize = 2_000;
-const NARROW_BAND: u32 = 1;
+const MAX_WIDE_BAND_VERTICES: usize = 2_000;
+const NARROW_BAND_WIDTH: u32 = 1;
 /// Limit on the vertices of all repeated searches of a loop.
 pub(super) const MAX_SEARCHED_VERTICES: usize = 8_000;
 /// A search is repeated while its relative gain exceeds this.
-pub(super) const MIN_GAIN: f64 = 1e-3;
+pub(super) const MIN_RELATIVE_GAIN: f64 = 1e-3;
 /// Chords between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 12;
+const CHORDS_PER_REPORT: usize = 1 << 12;
 
 /// Returns the triangles (i, m, k), i < m < k, of the triangulation of least weight without a
 /// `taken` chord; `None` if none is found.
 ///
-/// By area the result is optimal for up to [`MAX_EXACT`] vertices. Bends are treated as in Liepa:
+/// By area the result is optimal for up to [`MAX_EXACT_VERTICES`] vertices. Bends are treated as in Liepa:
 /// each part of the loop keeps its own best triangulation, which ignores the triangle beyond its
 /// chord.
 ///
-/// O(n^3) time for n <= [`MAX_EXACT`], O(n) for longer loops; 30 n^2 bytes, or about 3 kB per
+/// O(n^3) time for n <= [`MAX_EXACT_VERTICES`], O(n) for longer loops; 30 n^2 bytes, or about 3 kB per
 /// vertex.
-pub(super) fn minimum_weight(
+pub(super) fn minimum_weight_triangulation(
     polygon: &Polygon,
     weight: Weight,
     taken: &dyn Fn(usize, usize) -> bool,
     job: &Job<'_>,
 ) -> Result<Option<Vec<[u32; 3]>>> {
     let n = polygon.points.len();
-    if n <= MAX_EXACT {
-        let scale = Scale::new(polygon, weight);
+    if n <= MAX_EXACT_VERTICES {
+        let scale = CostScale::new(polygon, weight);
         return Ok(best_triangulation(&scale, &AllChords(n), taken, None, job)?.map(|found| found.triangles));
     }
-    let (coarse, kept) = polygon.coarser()?;
+    let (coarse, kept) = polygon.every_other_point()?;
     // Taken chords do not matter on the coarse level.
-    let Some(coarse) = minimum_weight(&coarse, weight, &|_, _| false, &job.part(0.0, 0.4))? else {
+    let Some(coarse) = minimum_weight_triangulation(&coarse, weight, &|_, _| false, &job.part(0.0, 0.4))? else {
         return Ok(None);
     };
     let job = job.part(0.4, 1.0);
-    let scale = Scale::new(polygon, weight);
-    for band in bands(n) {
-        let chords = NearChords::new(n, &coarse, &kept, band)?;
+    let scale = CostScale::new(polygon, weight);
+    for band in band_widths_to_try(n) {
+        let chords = ChordsNearTriangulation::new(n, &coarse, &kept, band)?;
         if let Some(found) = best_triangulation(&scale, &chords, taken, None, &job.part(0.0, 0.5))? {
-            return search_again(&scale, found, band, taken, &job.part(0.5, 1.0)).map(Some);
+            return repeat_search_near(&scale, found, band, taken, &job.part(0.5, 1.0)).map(Some);
         }
     }
     Ok(None)
 }
 
 /// Returns the bands to try, in order, for a loop of n vertices.
-pub(super) fn bands(n: usize) -> impl Iterator<Item = u32> {
-    (n > MAX_WIDE).then_some(NARROW_BAND).into_iter().chain(BANDS)
+pub(super) fn band_widths_to_try(n: usize) -> impl Iterator<Item = u32> {
+    (n > MAX_WIDE_BAND_VERTICES).then_some(NARROW_BAND_WIDTH).into_iter().chain(BAND_WIDTHS)
 }
 
 /// Repeats the search around a result.
-fn search_again(
-    scale: &Scale<'_>,
+fn repeat_search_near(
+    scale: &CostScale<'_>,
     mut found: Triangulation,
     band: u32,
     taken: &dyn Fn(usize, usize) -> bool,
@@ -87,15 +87,15 @@ fn search_again(
     let same = alloc::collect(0..n as u32)?;
     let rounds = MAX_SEARCHED_VERTICES / n;
     for round in 0..rounds {
-        let chords = NearChords::new(n, &found.triangles, &same, band)?;
+        let chords = ChordsNearTriangulation::new(n, &found.triangles, &same, band)?;
         let Some(next) = best_triangulation(scale, &chords, taken, None, &job.share(round, rounds))? else {
             break;
         };
-        let gain = next.cost.gain_over(&found.cost);
+        let gain = next.cost.relative_gain_over(&found.cost);
         if gain > 0.0 {
             found = next;
         }
-        if gain <= MIN_GAIN {
+        if gain <= MIN_RELATIVE_GAIN {
             break;
         }
     }
@@ -104,15 +104,15 @@ fn search_again(
 
 /// A triangulation and its cost.
 pub(super) struct Triangulation {
-    pub(super) cost: Cost,
+    pub(super) cost: TriangulationCost,
     /// Triples (i, m, k), i < m < k.
     pub(super) triangles: Vec<[u32; 3]>,
 }
 
 /// The best triangulation of the part of the loop that a chord cuts off.
 #[derive(Clone, Copy)]
-struct Cell {
-    cost: Cost,
+struct ChordCell {
+    cost: TriangulationCost,
     /// [`NO_APEX`] if the part lacks a triangulation.
     apex: u32,
     /// The unit normal of the triangle on the chord.
@@ -124,22 +124,23 @@ const NO_APEX: u32 = u32::MAX;
 
 /// Returns the best triangulation with these chords; `None` if none costs less than `limit`.
 pub(super) fn best_triangulation(
-    scale: &Scale<'_>,
-    chords: &impl Chords,
+    scale: &CostScale<'_>,
+    chords: &impl ChordSet,
     taken: &dyn Fn(usize, usize) -> bool,
-    limit: Option<&Cost>,
+    limit: Option<&TriangulationCost>,
     job: &Job<'_>,
 ) -> Result<Option<Triangulation>> {
     let polygon = scale.polygon();
     let n = polygon.points.len();
-    let none = Cell { cost: Cost::ZERO, apex: NO_APEX, normal: DVec3::ZERO, bulge: 0.0 };
+    let none = ChordCell { cost: TriangulationCost::ZERO, apex: NO_APEX, normal: DVec3::ZERO, bulge: 0.0 };
     let mut cells = alloc::filled(none, chords.count())?;
     chords.try_each(|number, [i, k]| {
-        job.step_every(REPORT_INTERVAL, number, chords.count(), "triangulating holes")?;
+        job.step_every(CHORDS_PER_REPORT, number, chords.count(), "triangulating holes")?;
         if k == i + 1 {
-            cells[number] = Cell { apex: i as u32, normal: polygon.across[i], bulge: scale.bulge(i, k), ..none };
+            cells[number] =
+                ChordCell { apex: i as u32, normal: polygon.across[i], bulge: scale.chord_bulge(i, k), ..none };
         } else if k - i + 1 == n || !taken(i, k) {
-            cells[number] = best_cell(scale, chords, &cells, [i, k], limit).unwrap_or(none);
+            cells[number] = best_triangle_on_chord(scale, chords, &cells, [i, k], limit).unwrap_or(none);
         }
         Ok(())
     })?;
@@ -160,17 +161,17 @@ pub(super) fn best_triangulation(
 }
 
 /// Returns the best triangle on the chord (i, k).
-fn best_cell(
-    scale: &Scale<'_>,
-    chords: &impl Chords,
-    cells: &[Cell],
+fn best_triangle_on_chord(
+    scale: &CostScale<'_>,
+    chords: &impl ChordSet,
+    cells: &[ChordCell],
     [i, k]: [usize; 2],
-    limit: Option<&Cost>,
-) -> Option<Cell> {
+    limit: Option<&TriangulationCost>,
+) -> Option<ChordCell> {
     let polygon = scale.polygon();
-    let bulge = scale.bulge(i, k);
+    let bulge = scale.chord_bulge(i, k);
     let at_root = k - i + 1 == polygon.points.len();
-    let mut best: Option<Cell> = None;
+    let mut best: Option<ChordCell> = None;
     chords.each_apex(i, k, |m, sides| {
         let [left, right] = sides.map(|side| &cells[side]);
         if left.apex == NO_APEX || right.apex == NO_APEX {
@@ -178,26 +179,30 @@ fn best_cell(
         }
         // Costs only grow, so a partial cost that is not less can be dropped.
         let least = best.as_ref().map(|best| &best.cost).or(limit);
-        let is_less = |cost: &Cost| least.is_none_or(|least| scale.is_less(cost, least));
+        let is_less = |cost: &TriangulationCost| least.is_none_or(|least| scale.is_less(cost, least));
         let parts = left.cost.plus(right.cost);
         if !is_less(&parts) {
             return;
         }
-        let seam = scale.seam([i, m, k], [left.normal, right.normal]);
+        let seam = scale.close_seam([i, m, k], [left.normal, right.normal]);
         let is_seam = seam.is_some();
-        let (normal, own) = seam.unwrap_or_else(|| scale.triangle([i, m, k], [left.bulge, right.bulge, bulge]));
+        let (normal, own) = seam.unwrap_or_else(|| scale.triangle_cost([i, m, k], [left.bulge, right.bulge, bulge]));
         let mut cost = parts.plus(own);
         if !is_less(&cost) {
             return;
         }
         if !is_seam {
-            cost = cost.plus(scale.bend([i, m], normal, left.normal)).plus(scale.bend([m, k], normal, right.normal));
+            cost = cost.plus(scale.bend_cost([i, m], normal, left.normal)).plus(scale.bend_cost(
+                [m, k],
+                normal,
+                right.normal,
+            ));
         }
         if at_root {
-            cost = cost.plus(scale.bend([i, k], normal, polygon.across[k]));
+            cost = cost.plus(scale.bend_cost([i, k], normal, polygon.across[k]));
         }
         if is_less(&cost) {
-            best = Some(Cell { cost, apex: m as u32, normal, bulge });
+            best = Some(ChordCell { cost, apex: m as u32, normal, bulge });
         }
     });
     best

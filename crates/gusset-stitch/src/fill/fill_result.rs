@@ -1,9 +1,9 @@
 //! Appends the patches to a copy of the mesh in the order of the loops, and reports on each loop.
 
-use super::choose::Candidate;
+use super::candidate_loops::CandidateLoop;
 use super::fill_request::{Filled, Finish, Hole, HoleStatus, Options};
-use super::patch::attempts;
-use super::placed::{MeshAndPatchVertices, Placed};
+use super::patch::list_attempts;
+use super::placed_patch::{MeshAndPatchVertices, PlacedPatch};
 use crate::repair::orient::{Outward, turn_outwards};
 use crate::stitch::{Quality, part_alone};
 use gusset_base::alloc;
@@ -12,19 +12,19 @@ use gusset_base::job::Job;
 use gusset_mesh::{Mesh, MeshView, NONE, concat};
 
 /// The finished patches.
-pub(super) struct Made<'a> {
+pub(super) struct FinishedPatches<'a> {
     pub(super) vertices: MeshAndPatchVertices<'a>,
     /// In the order of the first loops of their groups.
-    pub(super) patches: Vec<Placed>,
+    pub(super) patches: Vec<PlacedPatch>,
     /// The candidates that each patch closes.
     pub(super) groups: Vec<&'a [usize]>,
     /// Pairs of intersecting faces of the result; `None` if they were not looked for.
     pub(super) intersections: Option<Vec<[u32; 2]>>,
 }
 
-impl<'a> Made<'a> {
+impl<'a> FinishedPatches<'a> {
     pub(super) fn empty(mesh: &'a MeshView<'a>) -> Self {
-        Made {
+        FinishedPatches {
             vertices: MeshAndPatchVertices::new(mesh, &[]),
             patches: Vec::new(),
             groups: Vec::new(),
@@ -33,7 +33,7 @@ impl<'a> Made<'a> {
     }
 
     /// Returns the patch number of each candidate, or [`NONE`].
-    fn numbers(&self, candidates: usize) -> Result<Vec<u32>> {
+    fn patch_numbers(&self, candidates: usize) -> Result<Vec<u32>> {
         let mut numbers = alloc::filled(NONE, candidates)?;
         for (group, patch) in self.groups.iter().zip(0..) {
             group.iter().for_each(|&candidate| numbers[candidate] = patch);
@@ -44,8 +44,8 @@ impl<'a> Made<'a> {
 
 /// Assembles the result. O(H) for H half-edges of the result.
 pub(super) fn build_result(
-    made: Made<'_>,
-    candidates: &[Candidate],
+    made: FinishedPatches<'_>,
+    candidates: &[CandidateLoop],
     options: &Options,
     job: &Job<'_>,
 ) -> Result<Filled> {
@@ -77,20 +77,20 @@ pub(super) fn build_result(
 /// Reports on each loop, and lists the vertices of all loops. Appends each patch with its first
 /// loop.
 fn hole_reports(
-    made: &Made<'_>,
-    candidates: &[Candidate],
+    made: &FinishedPatches<'_>,
+    candidates: &[CandidateLoop],
     options: &Options,
     whole: &mut Mesh,
 ) -> Result<(Vec<Hole>, Vec<u32>)> {
-    let numbers = made.numbers(candidates.len())?;
+    let numbers = made.patch_numbers(candidates.len())?;
     let (mut holes, mut rims) = (alloc::with_capacity(candidates.len())?, Vec::new());
     let mut placed = alloc::with_capacity(made.patches.len())?;
-    let asked = if options.plan_only { attempts(options)[0].finish() } else { Finish::Plain };
+    let asked = if options.plan_only { list_attempts(options)[0].construction() } else { Finish::Plain };
     for (candidate, patch) in candidates.iter().zip(numbers) {
         let end = |whole: &Mesh| [whole.face_count() as u32, whole.positions.len() as u32];
         if patch as usize == placed.len() {
             let start = end(whole);
-            append(whole, &made.vertices, &made.patches[patch as usize])?;
+            append_patch(whole, &made.vertices, &made.patches[patch as usize])?;
             placed.push([start, end(whole)]);
         }
         let own = made.patches.get(patch as usize);
@@ -106,14 +106,14 @@ fn hole_reports(
             vertices: start[1]..end[1],
             measures: candidate.measures,
             weight: own.map_or(options.weight, |patch| patch.attempt.weight),
-            finish: own.map_or(asked, |patch| patch.attempt.finish()),
+            finish: own.map_or(asked, |patch| patch.attempt.construction()),
         });
     }
     Ok((holes, rims))
 }
 
 /// Appends a patch to a mesh with enough capacity.
-fn append(whole: &mut Mesh, vertices: &MeshAndPatchVertices<'_>, patch: &Placed) -> Result<()> {
+fn append_patch(whole: &mut Mesh, vertices: &MeshAndPatchVertices<'_>, patch: &PlacedPatch) -> Result<()> {
     let (old, first) = (vertices.mesh.positions().len() as u32, whole.positions.len() as u32);
     let name = |v: u32| if v < old { v } else { v - patch.vertices.start + first };
     whole.positions.extend(patch.vertices.clone().map(|v| vertices.position(v)))?;

@@ -1,20 +1,20 @@
 //! The unknowns that the equations of a plate couple.
 
 use super::continuity::Continuity;
-use super::rings::Rings;
+use super::one_rings::OneRings;
 use gusset_base::sparse::Coupling;
 
 /// The couplings of a plate.
-pub(super) struct Couplings<'a> {
-    pub(super) rings: &'a Rings,
+pub(super) struct PlateCouplings<'a> {
+    pub(super) rings: &'a OneRings,
     /// True for the rows of the Laplacian that the energy contains.
     pub(super) is_row: &'a [bool],
     pub(super) continuity: Continuity,
 }
 
-impl Coupling for Couplings<'_> {
+impl Coupling for PlateCouplings<'_> {
     fn each_row(&self, v: u32, mut visit: impl FnMut(usize)) {
-        self.rings.rows().row(v as usize).for_each(|(row, _)| visit(row));
+        self.rings.laplacian_rows().row(v as usize).for_each(|(row, _)| visit(row));
     }
 
     fn reach(&self) -> usize {
@@ -26,10 +26,10 @@ impl Coupling for Couplings<'_> {
 
     fn touches(&self, v: u32, found: impl Fn(usize) -> bool) -> bool {
         let found = |row: usize| self.is_row[row] && found(row);
-        let mut rows = self.rings.rows().row(v as usize).filter(|&(row, _)| self.is_row[row]);
+        let mut rows = self.rings.laplacian_rows().row(v as usize).filter(|&(row, _)| self.is_row[row]);
         match self.continuity {
             Continuity::C1 => rows.any(|(row, _)| found(row)),
-            Continuity::C2 => rows.any(|(row, _)| self.rings.rows().row(row).any(|(other, _)| found(other))),
+            Continuity::C2 => rows.any(|(row, _)| self.rings.laplacian_rows().row(row).any(|(other, _)| found(other))),
         }
     }
 }

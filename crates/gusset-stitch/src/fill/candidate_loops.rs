@@ -11,7 +11,7 @@ use gusset_mesh::{MeshView, vertex_components};
 use std::collections::HashSet;
 
 /// A loop, and whether it is to be filled.
-pub(super) struct Candidate {
+pub(super) struct CandidateLoop {
     /// With the surface on the left if the loop is to be filled.
     pub(super) vertices: Vec<u32>,
     pub(super) status: HoleStatus,
@@ -19,40 +19,40 @@ pub(super) struct Candidate {
 }
 
 /// Returns the loops of a selection.
-pub(super) fn choose(
+pub(super) fn choose_loops(
     mesh: &MeshView<'_>,
     boundary: &Boundary,
     selection: Selection<'_>,
     options: &Options,
-) -> Result<Vec<Candidate>> {
+) -> Result<Vec<CandidateLoop>> {
     match selection {
-        Selection::All => all_loops(mesh, boundary, options),
-        Selection::Loops(loops) => given_loops(mesh, boundary, loops.iter().copied(), &options.limits),
+        Selection::All => candidates_of_all_loops(mesh, boundary, options),
+        Selection::Loops(loops) => candidates_of_given_loops(mesh, boundary, loops.iter().copied(), &options.limits),
         Selection::Groups(loops) => {
-            given_loops(mesh, boundary, loops.iter().map(|&(vertices, _)| vertices), &options.limits)
+            candidates_of_given_loops(mesh, boundary, loops.iter().map(|&(vertices, _)| vertices), &options.limits)
         }
     }
 }
 
-fn all_loops(mesh: &MeshView<'_>, boundary: &Boundary, options: &Options) -> Result<Vec<Candidate>> {
-    let kept = kept_loops(mesh, boundary, options.keep)?;
+fn candidates_of_all_loops(mesh: &MeshView<'_>, boundary: &Boundary, options: &Options) -> Result<Vec<CandidateLoop>> {
+    let kept = is_kept_open(mesh, boundary, options.keep)?;
     let mut candidates = alloc::with_capacity(boundary.len())?;
     for (found, kept) in boundary.iter().zip(kept) {
-        let measures = measures(mesh, found.vertices);
-        let status = match status_of(found.flags) {
+        let measures = loop_measures(mesh, found.vertices);
+        let status = match status_of_flags(found.flags) {
             HoleStatus::Filled if kept => HoleStatus::Kept,
-            HoleStatus::Filled => size_status(found.vertices, &measures, &options.limits),
+            HoleStatus::Filled => status_of_size(found.vertices, &measures, &options.limits),
             status => status,
         };
-        candidates.push(Candidate { vertices: alloc::copied(found.vertices)?, status, measures });
+        candidates.push(CandidateLoop { vertices: alloc::copied(found.vertices)?, status, measures });
     }
     Ok(candidates)
 }
 
 /// Tells for each loop whether [`Keep`] leaves it open.
-fn kept_loops(mesh: &MeshView<'_>, boundary: &Boundary, keep: Keep) -> Result<Vec<bool>> {
+fn is_kept_open(mesh: &MeshView<'_>, boundary: &Boundary, keep: Keep) -> Result<Vec<bool>> {
     let mut kept = alloc::filled(false, boundary.len())?;
-    let usable = |found: &Loop<'_>| status_of(found.flags) == HoleStatus::Filled;
+    let usable = |found: &Loop<'_>| status_of_flags(found.flags) == HoleStatus::Filled;
     match keep {
         Keep::None => {}
         Keep::Longest => {
@@ -62,9 +62,9 @@ fn kept_loops(mesh: &MeshView<'_>, boundary: &Boundary, keep: Keep) -> Result<Ve
             longest.into_iter().for_each(|(i, _)| kept[i] = true);
         }
         Keep::OuterBorders => {
-            let sheets = Sheets::new(mesh)?;
+            let sheets = MeshComponents::new(mesh)?;
             for (kept, found) in kept.iter_mut().zip(boundary.iter()).filter(|(_, found)| usable(found)) {
-                *kept = sheets.has_border(mesh, found.vertices);
+                *kept = sheets.is_outer_border(mesh, found.vertices);
             }
         }
     }
@@ -72,16 +72,16 @@ fn kept_loops(mesh: &MeshView<'_>, boundary: &Boundary, keep: Keep) -> Result<Ve
 }
 
 /// The components of a mesh.
-struct Sheets {
+struct MeshComponents {
     /// Component number of each vertex.
     component: Vec<u32>,
     /// Area and area vector of each component.
     areas: Vec<(f64, DVec3)>,
 }
 
-impl Sheets {
+impl MeshComponents {
     /// O(H) for H half-edges; extra memory: 44 bytes per vertex.
-    fn new(mesh: &MeshView<'_>) -> Result<Sheets> {
+    fn new(mesh: &MeshView<'_>) -> Result<MeshComponents> {
         let mut sets = vertex_components(mesh)?;
         let component = alloc::collect((0..mesh.positions().len() as u32).map(|v| sets.find(v)))?;
         let mut areas = alloc::filled((0.0, DVec3::ZERO), component.len())?;
@@ -96,11 +96,11 @@ impl Sheets {
                 *vector += (p - first).cross(q - first) / 2.0;
             }
         }
-        Ok(Sheets { component, areas })
+        Ok(MeshComponents { component, areas })
     }
 
     /// Returns true if the loop runs around the outside of its sheet; see [`Keep::OuterBorders`].
-    fn has_border(&self, mesh: &MeshView<'_>, vertices: &[u32]) -> bool {
+    fn is_outer_border(&self, mesh: &MeshView<'_>, vertices: &[u32]) -> bool {
         let (area, own) = self.areas[self.component[vertices[0] as usize] as usize];
         let origin = mesh.positions().get(vertices[0]);
         let at = |v: &u32| mesh.positions().get(*v) - origin;
@@ -110,7 +110,7 @@ impl Sheets {
     }
 }
 
-fn status_of(flags: LoopFlags) -> HoleStatus {
+fn status_of_flags(flags: LoopFlags) -> HoleStatus {
     if flags.any(LoopFlags::OPEN) {
         HoleStatus::Open
     } else if flags.any(LoopFlags::NON_MANIFOLD) {
@@ -123,20 +123,20 @@ fn status_of(flags: LoopFlags) -> HoleStatus {
 }
 
 /// Returns the given loops, which may run in either direction.
-fn given_loops<'a>(
+fn candidates_of_given_loops<'a>(
     mesh: &MeshView<'_>,
     boundary: &Boundary,
     loops: impl ExactSizeIterator<Item = &'a [u32]>,
     limits: &Limits,
-) -> Result<Vec<Candidate>> {
+) -> Result<Vec<CandidateLoop>> {
     let edges = FreeEdges::from_boundary(boundary)?;
     let mut used = HashSet::new();
     let mut candidates = alloc::with_capacity(loops.len())?;
     for (number, given) in (0..).zip(loops) {
         check_loop(mesh, number, given)?;
         let mut vertices = alloc::copied(given)?;
-        let mut status = given_status(&edges, &vertices)?;
-        let measures = measures(mesh, &vertices);
+        let mut status = status_of_given_loop(&edges, &vertices)?;
+        let measures = loop_measures(mesh, &vertices);
         if status == HoleStatus::Filled {
             if edges.face_that_runs(vertices[0], vertices[1]).is_none() {
                 vertices.reverse();
@@ -145,18 +145,18 @@ fn given_loops<'a>(
             status = if steps().any(|edge| used.contains(&edge)) {
                 HoleStatus::NotFree
             } else {
-                size_status(&vertices, &measures, limits)
+                status_of_size(&vertices, &measures, limits)
             };
             if status == HoleStatus::Filled {
                 alloc::insert_all(&mut used, steps())?;
             }
         }
-        candidates.push(Candidate { vertices, status, measures });
+        candidates.push(CandidateLoop { vertices, status, measures });
     }
     Ok(candidates)
 }
 
-fn given_status(edges: &FreeEdges, vertices: &[u32]) -> Result<HoleStatus> {
+fn status_of_given_loop(edges: &FreeEdges, vertices: &[u32]) -> Result<HoleStatus> {
     let mut sorted = alloc::copied(vertices)?;
     sorted.sort_unstable();
     if vertices.len() < 3 || sorted.windows(2).any(|pair| pair[0] == pair[1]) {
@@ -174,7 +174,7 @@ fn given_status(edges: &FreeEdges, vertices: &[u32]) -> Result<HoleStatus> {
     Ok(if along > 0 && against > 0 { HoleStatus::NotOriented } else { HoleStatus::Filled })
 }
 
-fn size_status(vertices: &[u32], measures: &Measures, limits: &Limits) -> HoleStatus {
+fn status_of_size(vertices: &[u32], measures: &Measures, limits: &Limits) -> HoleStatus {
     let exceeds = |limit: Option<f64>, measure: f64| limit.is_some_and(|limit| measure > limit);
     if limits.edges.is_some_and(|limit| vertices.len() > limit as usize)
         || exceeds(limits.length, measures.length)
@@ -187,7 +187,7 @@ fn size_status(vertices: &[u32], measures: &Measures, limits: &Limits) -> HoleSt
     }
 }
 
-fn measures(mesh: &MeshView<'_>, vertices: &[u32]) -> Measures {
+fn loop_measures(mesh: &MeshView<'_>, vertices: &[u32]) -> Measures {
     let n = vertices.len();
     if n == 0 {
         return Measures::default();

@@ -13,7 +13,7 @@ use gusset_base::sort::Buckets;
 /// The weights of the discrete Laplacian L x(v) = s(v) sum over neighbours w of weight(v, w) (x(w)
 /// - x(v)).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Weights {
+pub(crate) enum LaplacianWeights {
     /// All neighbours have equal weights. The result depends only on the connectivity, and vertices
     /// spread evenly.
     Uniform,
@@ -23,7 +23,7 @@ pub(crate) enum Weights {
 }
 
 /// The neighbours of every vertex, ascending, with symmetric weights, and the scale of each vertex.
-pub(super) struct Rings {
+pub(super) struct OneRings {
     start: Vec<u32>,
     entries: Vec<(u32, f64)>,
     /// The negative sum of the weights around each vertex.
@@ -36,16 +36,21 @@ pub(super) struct Rings {
 /// dominate.
 const MAX_COTANGENT: f64 = 20.0;
 /// Smallest weight of an edge, so that no vertex is detached from its neighbours.
-const MIN_COTANGENT: f64 = 1e-3;
+const MIN_COTANGENT_WEIGHT: f64 = 1e-3;
 /// Smallest area of a vertex, relative to the mean.
-const MIN_AREA_SHARE: f64 = 1e-6;
+const MIN_RELATIVE_VERTEX_AREA: f64 = 1e-6;
 /// Number of vertices between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 15;
+const VERTICES_PER_REPORT: usize = 1 << 15;
 
-impl Rings {
+impl OneRings {
     /// Builds the rings. O(T) for T triangles, which may be degenerate; extra memory: about 100
     /// bytes per triangle.
-    pub(super) fn new(points: &[DVec3], triangles: &[[u32; 3]], weights: Weights, job: &Job<'_>) -> Result<Self> {
+    pub(super) fn new(
+        points: &[DVec3],
+        triangles: &[[u32; 3]],
+        weights: LaplacianWeights,
+        job: &Job<'_>,
+    ) -> Result<Self> {
         let proper = triangles.iter().filter(|[a, b, c]| a != b && b != c && c != a);
         let double_area = |triangle: &[u32; 3]| {
             let [a, b, c] = triangle.map(|v| points[v as usize]);
@@ -55,7 +60,7 @@ impl Rings {
         let cotangents = alloc::gather(proper.clone().map(|triangle| {
             let [a, b, c] = triangle.map(|v| points[v as usize]);
             let double_area = double_area(triangle);
-            [(a, b, c), (b, c, a), (c, a, b)].map(|(p, q, r)| cotangent((q - p).dot(r - p), double_area) / 2.0)
+            [(a, b, c), (b, c, a), (c, a, b)].map(|(p, q, r)| clamped_cotangent((q - p).dot(r - p), double_area) / 2.0)
         }))?;
         let edges = proper.clone().zip(&cotangents).flat_map(|(&[a, b, c], &[at_a, at_b, at_c])| {
             let sides = [(b, c, at_a), (c, b, at_a), (c, a, at_b), (a, c, at_b), (a, b, at_c), (b, a, at_c)];
@@ -67,18 +72,18 @@ impl Rings {
             let share = double_area(triangle) / 6.0;
             triangle.iter().for_each(|&v| area[v as usize] += share);
         }
-        let mut rings = Rings { start, entries, middle: Vec::new(), scale: area };
-        rings.merge(&job.part(0.5, 1.0))?;
-        rings.weigh(points.len(), weights)?;
+        let mut rings = OneRings { start, entries, middle: Vec::new(), scale: area };
+        rings.merge_edge_entries(&job.part(0.5, 1.0))?;
+        rings.set_weights(points.len(), weights)?;
         Ok(rings)
     }
 
     /// Merges the entries of each edge, and adds their weights.
-    fn merge(&mut self, job: &Job<'_>) -> Result<()> {
+    fn merge_edge_entries(&mut self, job: &Job<'_>) -> Result<()> {
         let mut kept = 0;
         let mut from = 0;
         for v in 1..self.start.len() {
-            job.step_every(REPORT_INTERVAL, v, self.start.len(), "fairing")?;
+            job.step_every(VERTICES_PER_REPORT, v, self.start.len(), "fairing")?;
             let to = self.start[v] as usize;
             // Sort by weight too, so that the sum does not depend on the order of the triangles.
             sort::stable(&mut self.entries[from..to], &|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
@@ -100,24 +105,24 @@ impl Rings {
     }
 
     /// Replaces the cotangents by the chosen weights, and the areas by scales.
-    fn weigh(&mut self, count: usize, weights: Weights) -> Result<()> {
+    fn set_weights(&mut self, count: usize, weights: LaplacianWeights) -> Result<()> {
         let used = self.scale.iter().filter(|&&area| area > 0.0).count().max(1) as f64;
-        let least_area = (MIN_AREA_SHARE * self.scale.iter().sum::<f64>() / used).max(f64::MIN_POSITIVE);
+        let least_area = (MIN_RELATIVE_VERTEX_AREA * self.scale.iter().sum::<f64>() / used).max(f64::MIN_POSITIVE);
         self.middle = alloc::with_capacity(count)?;
         for v in 0..count {
             let range = self.start[v] as usize..self.start[v + 1] as usize;
             let valence = range.len().max(1) as f64;
             for entry in &mut self.entries[range.clone()] {
                 entry.1 = match weights {
-                    Weights::Uniform => 1.0,
-                    Weights::Cotangent => entry.1.max(MIN_COTANGENT),
+                    LaplacianWeights::Uniform => 1.0,
+                    LaplacianWeights::Cotangent => entry.1.max(MIN_COTANGENT_WEIGHT),
                 };
             }
             let sum = self.entries[range].iter().map(|e| e.1).sum::<f64>();
             self.middle.push(-sum);
             self.scale[v] = match weights {
-                Weights::Uniform => 1.0 / (valence * valence),
-                Weights::Cotangent => 1.0 / self.scale[v].max(least_area),
+                LaplacianWeights::Uniform => 1.0 / (valence * valence),
+                LaplacianWeights::Cotangent => 1.0 / self.scale[v].max(least_area),
             };
         }
         Ok(())
@@ -129,12 +134,12 @@ impl Rings {
     }
 
     /// Returns the rows of L before scaling, which are its columns too.
-    pub(super) fn rows(&self) -> MatrixRows<'_> {
+    pub(super) fn laplacian_rows(&self) -> MatrixRows<'_> {
         MatrixRows { start: &self.start, entries: &self.entries, middle: &self.middle }
     }
 
     /// Returns the factor of the square of row `v` in the energy.
-    pub(super) fn scale(&self, v: usize) -> f64 {
+    pub(super) fn energy_scale(&self, v: usize) -> f64 {
         self.scale[v]
     }
 }
@@ -149,7 +154,7 @@ pub(super) struct MatrixRows<'a> {
 
 impl<'a> MatrixRows<'a> {
     /// Creates rows with the neighbours of `rings` and other entries.
-    pub(super) fn new(rings: &'a Rings, entries: &'a [(u32, f64)], middle: &'a [f64]) -> Self {
+    pub(super) fn new(rings: &'a OneRings, entries: &'a [(u32, f64)], middle: &'a [f64]) -> Self {
         MatrixRows { start: &rings.start, entries, middle }
     }
 
@@ -168,7 +173,7 @@ impl<'a> MatrixRows<'a> {
 
 /// Returns the clamped cotangent of an angle from the dot product and the cross product of its
 /// legs.
-fn cotangent(dot: f64, cross: f64) -> f64 {
+fn clamped_cotangent(dot: f64, cross: f64) -> f64 {
     // Avoid the quotient if the cross product is small or 0.
     if dot.abs() >= MAX_COTANGENT * cross { MAX_COTANGENT.copysign(dot) } else { dot / cross }
 }

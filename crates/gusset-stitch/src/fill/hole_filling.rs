@@ -1,14 +1,14 @@
 //! Builds the patches of all groups of loops, and replaces patches that intersect.
 
-use super::choose::Candidate;
+use super::candidate_loops::CandidateLoop;
+use super::faces_near_boxes::find_faces_near_boxes;
 use super::fill_request::{Options, Refinement};
-use super::near::faces_near;
-use super::patch::{Planner, attempts, neighbourhood};
-use super::patch_cuts::{OldTriangles, Trials, cutting_patches, find_cuts};
+use super::fill_result::FinishedPatches;
+use super::old_faces_at_rims::OldFacesAtRims;
+use super::patch::{PatchBuilder, list_attempts, patch_bounds};
+use super::patch_cuts::{IntersectionCounter, OldTriangles, find_patch_intersections, intersecting_patches};
 use super::patch_rim::PatchRim;
-use super::placed::{MeshAndPatchVertices, Placed};
-use super::result::Made;
-use super::surroundings::Surroundings;
+use super::placed_patch::{MeshAndPatchVertices, PlacedPatch};
 use crate::stitch::Intersections;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -19,12 +19,12 @@ use std::collections::HashSet;
 
 /// Blends are retried on an intersecting patch until the attempts have made this many new vertices:
 /// two blends of full size.
-const MAX_TRIED_VERTICES: usize = 2 * 50_000;
+const MAX_VERTICES_OF_ATTEMPTS: usize = 2 * 50_000;
 
 /// The patches and their inputs.
-pub(super) struct Filling<'a> {
+pub(super) struct HoleFilling<'a> {
     options: &'a Options,
-    candidates: &'a [Candidate],
+    candidates: &'a [CandidateLoop],
     /// The candidates to fill. Each group gets one patch.
     groups: &'a [Vec<usize>],
     /// For each group, a box that contains its patch.
@@ -33,16 +33,16 @@ pub(super) struct Filling<'a> {
     passes: &'a [u8],
     /// The faces near the holes, ascending.
     near: Vec<u32>,
-    surroundings: Surroundings<'a>,
+    surroundings: OldFacesAtRims<'a>,
     /// New edges between old vertices that several loops pass. No other patch may repeat them.
     bridges: HashSet<(u32, u32)>,
-    pub(super) made: Made<'a>,
+    pub(super) made: FinishedPatches<'a>,
 }
 
-impl<'a> Filling<'a> {
+impl<'a> HoleFilling<'a> {
     pub(super) fn new(
         mesh: &'a MeshView<'a>,
-        candidates: &'a [Candidate],
+        candidates: &'a [CandidateLoop],
         groups: &'a [Vec<usize>],
         passes: &'a [u8],
         options: &'a Options,
@@ -57,12 +57,13 @@ impl<'a> Filling<'a> {
             let rim = &points[first..];
             // New vertices may leave the rim's box: they are faired, or lie on creases.
             let bulges = options.refinement != Refinement::None;
-            alloc::push(&mut boxes, if bulges { neighbourhood(rim) } else { Aabb::from_points(rim) })?;
+            alloc::push(&mut boxes, if bulges { patch_bounds(rim) } else { Aabb::from_points(rim) })?;
         }
-        let near = faces_near(mesh, &boxes, &job.part(0.0, 0.9))?;
-        let surroundings = Surroundings::new(mesh, passes, &near, options.continuity, &job.part(0.9, 1.0))?;
-        let made = Made { vertices: MeshAndPatchVertices::new(mesh, &points), ..Made::empty(mesh) };
-        Ok(Filling {
+        let near = find_faces_near_boxes(mesh, &boxes, &job.part(0.0, 0.9))?;
+        let surroundings = OldFacesAtRims::new(mesh, passes, &near, options.continuity, &job.part(0.9, 1.0))?;
+        let made =
+            FinishedPatches { vertices: MeshAndPatchVertices::new(mesh, &points), ..FinishedPatches::empty(mesh) };
+        Ok(HoleFilling {
             options,
             candidates,
             groups,
@@ -75,7 +76,7 @@ impl<'a> Filling<'a> {
         })
     }
 
-    pub(super) fn fill(&mut self, job: &Job<'_>) -> Result<()> {
+    pub(super) fn build_patches(&mut self, job: &Job<'_>) -> Result<()> {
         let length = |group: &[usize]| group.iter().map(|&k| self.candidates[k].vertices.len()).sum::<usize>();
         let all: usize = self.groups.iter().map(|group| length(group)).sum();
         let (mut done, make) = (0, job.part(0.0, 0.6));
@@ -84,14 +85,14 @@ impl<'a> Filling<'a> {
             let end = done + length(group);
             let part = make.part(done as f64 / all as f64, end as f64 / all as f64);
             done = end;
-            if let Some(placed) = self.first_patch(group, &part)? {
+            if let Some(placed) = self.build_first_patch(group, &part)? {
                 alloc::push(&mut self.made.groups, group.as_slice())?;
                 alloc::push(&mut self.made.patches, placed)?;
                 rooms.push(self.rooms[k]);
             }
         }
         if self.options.intersections != Intersections::Ignore {
-            self.avoid_cuts(&rooms, &job.part(0.6, 1.0))?;
+            self.replace_intersecting_patches(&rooms, &job.part(0.6, 1.0))?;
         }
         Ok(())
     }
@@ -103,51 +104,54 @@ impl<'a> Filling<'a> {
     }
 
     /// Returns the first patch that can be built.
-    fn first_patch(&mut self, group: &[usize], job: &Job<'_>) -> Result<Option<Placed>> {
+    fn build_first_patch(&mut self, group: &[usize], job: &Job<'_>) -> Result<Option<PlacedPatch>> {
         let Some((rim, names)) = self.build_group_rim(group, job)? else {
             return Ok(None);
         };
         let taken =
-            |u: u32, v: u32| is_taken(&self.surroundings, &self.bridges, [names[u as usize], names[v as usize]]);
-        let mut planner = Planner::new(&rim, self.options, &taken);
+            |u: u32, v: u32| is_taken_edge(&self.surroundings, &self.bridges, [names[u as usize], names[v as usize]]);
+        let mut planner = PatchBuilder::new(&rim, self.options, &taken);
         let mut found = None;
-        let ways = attempts(self.options);
+        let ways = list_attempts(self.options);
         for (i, &attempt) in ways.iter().enumerate() {
             let job = job.share(i, ways.len());
-            if let Some(patch) = planner.patch(attempt, &job.part(0.0, 0.9))? {
-                found = Some(self.made.vertices.place(&rim, &names, &patch, attempt, &job.part(0.9, 1.0))?);
+            if let Some(patch) = planner.build_patch(attempt, &job.part(0.0, 0.9))? {
+                found = Some(self.made.vertices.number_patch(&rim, &names, &patch, attempt, &job.part(0.9, 1.0))?);
             }
             // The search for several loops is incomplete, so another weight may succeed.
-            if found.is_some() || planner.is_stuck() && group.len() == 1 {
+            if found.is_some() || planner.lacks_triangulation() && group.len() == 1 {
                 break;
             }
         }
         drop(planner);
-        alloc::insert_all(&mut self.bridges, found.iter().flat_map(|placed| bridges(self.passes, placed)))?;
+        alloc::insert_all(
+            &mut self.bridges,
+            found.iter().flat_map(|placed| edges_between_shared_vertices(self.passes, placed)),
+        )?;
         Ok(found)
     }
 
     /// Looks for intersections, and tries other patches where there are any. `rooms` are the
     /// patches' boxes.
-    fn avoid_cuts(&mut self, rooms: &[Aabb], job: &Job<'_>) -> Result<()> {
+    fn replace_intersecting_patches(&mut self, rooms: &[Aabb], job: &Job<'_>) -> Result<()> {
         let old = OldTriangles::new(self.made.vertices.mesh, &self.near, &job.part(0.0, 0.1))?;
-        let mut pairs = find_cuts(&self.made.vertices, &self.made.patches, &old, &job.part(0.1, 0.3))?;
+        let mut pairs = find_patch_intersections(&self.made.vertices, &self.made.patches, &old, &job.part(0.1, 0.3))?;
         if !pairs.is_empty() && self.options.intersections == Intersections::Auto {
-            let trials = Trials::new(&self.made.vertices, &old, rooms, &job.part(0.3, 0.3))?;
-            let cutting = cutting_patches(&pairs, &self.made.patches)?;
+            let trials = IntersectionCounter::new(&self.made.vertices, &old, rooms, &job.part(0.3, 0.3))?;
+            let cutting = intersecting_patches(&pairs, &self.made.patches)?;
             for (i, &k) in cutting.iter().enumerate() {
                 let job = job.part(0.3, 0.8).share(i, cutting.len());
-                self.try_others(k, &trials, &job)?;
+                self.replace_by_best_attempt(k, &trials, &job)?;
             }
-            pairs = find_cuts(&self.made.vertices, &self.made.patches, &old, &job.part(0.8, 1.0))?;
+            pairs = find_patch_intersections(&self.made.vertices, &self.made.patches, &old, &job.part(0.8, 1.0))?;
         }
         let first_new = self.made.vertices.mesh.faces().len() as u32;
-        self.made.intersections = Some(old.faces_of(&pairs, &self.made.patches, first_new)?);
+        self.made.intersections = Some(old.pairs_of_faces(&pairs, &self.made.patches, first_new)?);
         Ok(())
     }
 
     /// Replaces patch `k` by the attempt with the fewest intersections, the first of equals.
-    fn try_others(&mut self, k: usize, trials: &Trials<'_>, job: &Job<'_>) -> Result<()> {
+    fn replace_by_best_attempt(&mut self, k: usize, trials: &IntersectionCounter<'_>, job: &Job<'_>) -> Result<()> {
         let Some((rim, names)) = self.build_group_rim(self.made.groups[k], job)? else {
             return Ok(());
         };
@@ -156,36 +160,45 @@ impl<'a> Filling<'a> {
             return Ok(());
         }
         let taken =
-            |u: u32, v: u32| is_taken(&self.surroundings, &self.bridges, [names[u as usize], names[v as usize]]);
-        let mut planner = Planner::new(&rim, self.options, &taken);
-        let mut least =
-            trials.count(&self.made.vertices, &self.made.patches, k, &self.made.patches[k], &job.part(0.0, 0.0))?;
-        let first_tried = self.made.vertices.end();
+            |u: u32, v: u32| is_taken_edge(&self.surroundings, &self.bridges, [names[u as usize], names[v as usize]]);
+        let mut planner = PatchBuilder::new(&rim, self.options, &taken);
+        let mut least = trials.count_intersections(
+            &self.made.vertices,
+            &self.made.patches,
+            k,
+            &self.made.patches[k],
+            &job.part(0.0, 0.0),
+        )?;
+        let first_tried = self.made.vertices.end_number();
         let (mut better, mut tried) = (None, self.made.patches[k].vertices.len());
-        let ways = attempts(self.options);
+        let ways = list_attempts(self.options);
         for (i, &attempt) in ways.iter().enumerate() {
             let job = job.share(i, ways.len());
             if least == 0 {
                 break;
             }
-            if attempt == self.made.patches[k].attempt || attempt.is_blend() && tried > MAX_TRIED_VERTICES {
+            if attempt == self.made.patches[k].attempt || attempt.is_blend() && tried > MAX_VERTICES_OF_ATTEMPTS {
                 continue;
             }
-            let Some(patch) = planner.patch(attempt, &job.part(0.0, 0.7))? else {
+            let Some(patch) = planner.build_patch(attempt, &job.part(0.0, 0.7))? else {
                 continue;
             };
             tried += patch.points.len();
-            let mut placed = self.made.vertices.place(&rim, &names, &patch, attempt, &job.part(0.7, 0.8))?;
-            let count = trials.count(&self.made.vertices, &self.made.patches, k, &placed, &job.part(0.8, 1.0))?;
+            let mut placed = self.made.vertices.number_patch(&rim, &names, &patch, attempt, &job.part(0.7, 0.8))?;
+            let count =
+                trials.count_intersections(&self.made.vertices, &self.made.patches, k, &placed, &job.part(0.8, 1.0))?;
             if count < least {
-                self.made.vertices.move_down(&mut placed, first_tried);
+                self.made.vertices.move_last_patch_down(&mut placed, first_tried);
                 (least, better) = (count, Some(placed));
             } else {
-                self.made.vertices.forget(&placed);
+                self.made.vertices.remove_last_patch(&placed);
             }
         }
         drop(planner);
-        alloc::insert_all(&mut self.bridges, better.iter().flat_map(|placed| bridges(self.passes, placed)))?;
+        alloc::insert_all(
+            &mut self.bridges,
+            better.iter().flat_map(|placed| edges_between_shared_vertices(self.passes, placed)),
+        )?;
         if let Some(placed) = better {
             self.made.patches[k] = placed;
         }
@@ -194,12 +207,12 @@ impl<'a> Filling<'a> {
 }
 
 /// Returns true if two rim vertices must not get an edge.
-fn is_taken(surroundings: &Surroundings<'_>, bridges: &HashSet<(u32, u32)>, [u, v]: [u32; 2]) -> bool {
-    surroundings.share_face(u, v) || bridges.contains(&(u.min(v), u.max(v)))
+fn is_taken_edge(surroundings: &OldFacesAtRims<'_>, bridges: &HashSet<(u32, u32)>, [u, v]: [u32; 2]) -> bool {
+    surroundings.have_common_face(u, v) || bridges.contains(&(u.min(v), u.max(v)))
 }
 
 /// Returns the edges of a patch between two old vertices that several loops pass.
-fn bridges(passes: &[u8], patch: &Placed) -> impl Iterator<Item = (u32, u32)> {
+fn edges_between_shared_vertices(passes: &[u8], patch: &PlacedPatch) -> impl Iterator<Item = (u32, u32)> {
     let shared = |v: u32| passes.get(v as usize).is_some_and(|&count| count > 1);
     let sides = patch.triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
     sides.filter(move |&(u, v)| shared(u) && shared(v)).map(|(u, v)| (u.min(v), u.max(v)))

@@ -1,6 +1,6 @@
 //! Patches in the mesh: the positions and parents of their vertices.
 
-use super::patch::{Attempt, Patch};
+use super::patch::{Patch, PatchAttempt};
 use super::patch_rim::PatchRim;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -34,22 +34,22 @@ impl<'a> MeshAndPatchVertices<'a> {
     }
 
     /// Returns a position divided by the unit, so that products stay in range.
-    pub(super) fn scaled(&self, v: u32) -> DVec3 {
+    pub(super) fn scaled_position(&self, v: u32) -> DVec3 {
         self.position(v) / self.unit
     }
 
     /// Returns the number after the last vertex.
-    pub(super) fn end(&self) -> u32 {
+    pub(super) fn end_number(&self) -> u32 {
         (self.mesh.positions().len() + self.points.len()) as u32
     }
 
     /// Removes the vertices of the last patch.
-    pub(super) fn forget(&mut self, patch: &Placed) {
+    pub(super) fn remove_last_patch(&mut self, patch: &PlacedPatch) {
         self.points.truncate(patch.vertices.start as usize - self.mesh.positions().len());
     }
 
     /// Moves the vertices of the last patch down to `first`, and removes the vertices between.
-    pub(super) fn move_down(&mut self, patch: &mut Placed, first: u32) {
+    pub(super) fn move_last_patch_down(&mut self, patch: &mut PlacedPatch, first: u32) {
         let Range { start, end } = patch.vertices;
         let old = self.mesh.positions().len();
         self.points.drain(first as usize - old..start as usize - old);
@@ -58,14 +58,14 @@ impl<'a> MeshAndPatchVertices<'a> {
     }
 
     /// Adds a patch. `names` maps the rim's vertices to the mesh.
-    pub(super) fn place(
+    pub(super) fn number_patch(
         &mut self,
         rim: &PatchRim,
         names: &[u32],
         patch: &Patch,
-        attempt: Attempt,
+        attempt: PatchAttempt,
         job: &Job<'_>,
-    ) -> Result<Placed> {
+    ) -> Result<PlacedPatch> {
         let first = self.mesh.positions().len() + self.points.len();
         let end = first + patch.points.len();
         check_size(end as u64, (self.mesh.faces().half_edge_count() + 3 * patch.triangles.len()) as u64)?;
@@ -77,7 +77,7 @@ impl<'a> MeshAndPatchVertices<'a> {
         // ones.
         let single = self.mesh.positions().scalar() == Scalar::F32;
         let rounded = |p: DVec3| if single { p.as_vec3().as_dvec3() } else { p };
-        alloc::extend(&mut self.points, patch.points.iter().map(|&p| rounded(rim.to_mesh(p))))?;
+        alloc::extend(&mut self.points, patch.points.iter().map(|&p| rounded(rim.to_mesh_coordinates(p))))?;
         let own = self.points[self.points.len() - patch.points.len()..].iter().copied();
         let around = Aabb::from_points(names.iter().map(|&v| self.mesh.positions().get(v)).chain(own));
         // The parents are the corners of the initial triangle that each new vertex lay on before
@@ -85,19 +85,19 @@ impl<'a> MeshAndPatchVertices<'a> {
         let mut parents = nearest_places(&rim.points[..rim.count], &patch.coarse, &patch.unfaired, "refining", job)?;
         parents.iter_mut().for_each(|(corners, _)| *corners = corners.map(|v| names[v as usize]));
         let triangles = alloc::collect(patch.triangles.iter().map(|triangle| triangle.map(name)))?;
-        Ok(Placed { vertices: first as u32..end as u32, triangles, around, attempt, parents })
+        Ok(PlacedPatch { vertices: first as u32..end as u32, triangles, around, attempt, parents })
     }
 }
 
 /// A patch whose vertices have numbers in [`MeshAndPatchVertices`].
-pub(super) struct Placed {
+pub(super) struct PlacedPatch {
     /// The new vertices of the patch.
     pub(super) vertices: Range<u32>,
     /// The faces of the patch.
     pub(super) triangles: Vec<[u32; 3]>,
     /// The bounding box in mesh coordinates.
     pub(super) around: Aabb,
-    pub(super) attempt: Attempt,
+    pub(super) attempt: PatchAttempt,
     /// The parents of each new vertex, with their weights.
     pub(super) parents: Vec<([u32; 3], [f64; 3])>,
 }

@@ -6,14 +6,14 @@
 //! the merged group is tried with its partners in turn, until no pair gains. Both costs of a pair
 //! cover all its loops, with one origin and one unit.
 
-use super::choose::Candidate;
+use super::candidate_loops::CandidateLoop;
+use super::faces_near_boxes::find_faces_near_boxes;
 use super::fill_request::Weight;
-use super::loops::{cost, may_gain};
-use super::near::faces_near;
-use super::patch::triangulate;
+use super::loops::{cost_of_closing, may_cost_less_together};
+use super::old_faces_at_rims::OldFacesAtRims;
+use super::patch::triangulate_rim;
 use super::patch_rim::PatchRim;
-use super::search::MIN_GAIN;
-use super::surroundings::Surroundings;
+use super::triangulation_search::MIN_RELATIVE_GAIN;
 use crate::fair::Continuity;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -26,25 +26,25 @@ use std::cmp::Ordering;
 
 /// Each loop's box is enlarged on all sides by this fraction of its diagonal. Two loops are near
 /// each other if their enlarged boxes meet.
-const BOX_MARGIN: f64 = 0.5;
+const RELATIVE_BOX_MARGIN: f64 = 0.5;
 /// Largest number of nearest loops, or nearest groups, that a loop or group is tried with.
-const MAX_NEIGHBOURS: usize = 4;
+const MAX_TRIED_NEIGHBOURS: usize = 4;
 /// Loops between two progress reports.
-const REPORT_INTERVAL: usize = 64;
+const LOOPS_PER_REPORT: usize = 64;
 /// Largest number of loops that one patch closes, and of loops that propose one loop as a partner.
-const MAX_LOOPS: usize = 16;
+const MAX_LOOPS_PER_PATCH: usize = 16;
 /// Largest number of trials in all; a trial of short loops takes up to 50 ms. A note reports that
 /// pairs remain untried.
-const MAX_TRIALS: usize = 256;
+const MAX_PAIR_TRIALS: usize = 256;
 
 /// The triangulation of a group; `None` if none was found.
-type Triangles = Option<Vec<[u32; 3]>>;
+type GroupTriangulation = Option<Vec<[u32; 3]>>;
 
 /// Loops that one patch closes.
-struct Group {
+struct LoopGroup {
     /// Indices into [`GroupSearch::loops`].
     loops: Vec<usize>,
-    triangles: Triangles,
+    triangles: GroupTriangulation,
 }
 
 /// Two groups that cost less together than apart.
@@ -56,19 +56,19 @@ struct GroupPair {
 }
 
 /// Distance between the boxes of two loops, then distance between the centres of these boxes.
-type Distance = [f64; 2];
+type BoxDistance = [f64; 2];
 
 /// Two loops or groups, and their distance.
-type NearPair = ([usize; 2], Distance);
+type NearPair = ([usize; 2], BoxDistance);
 
 struct GroupSearch<'a> {
-    surroundings: Surroundings<'a>,
+    surroundings: OldFacesAtRims<'a>,
     loops: Vec<&'a [u32]>,
     /// For each loop, the loops that may share a patch with it, and their distances.
-    partners: Vec<Vec<(usize, Distance)>>,
+    partners: Vec<Vec<(usize, BoxDistance)>>,
     weight: Weight,
     /// `None` for a group that was merged into a later one.
-    groups: Vec<Option<Group>>,
+    groups: Vec<Option<LoopGroup>>,
     /// The group of each loop.
     owner: Vec<usize>,
     /// The remaining number of trials; `None` once a trial was refused.
@@ -82,7 +82,7 @@ struct GroupSearch<'a> {
 pub(super) fn group_by_cost(
     mesh: &MeshView<'_>,
     passes: &[u8],
-    candidates: &[Candidate],
+    candidates: &[CandidateLoop],
     groups: &[Vec<usize>],
     weight: Weight,
     job: &Job<'_>,
@@ -90,16 +90,16 @@ pub(super) fn group_by_cost(
     let loops = alloc::collect(groups.iter().map(|group| candidates[group[0]].vertices.as_slice()))?;
     let around = |vertices: &&[u32]| Aabb::from_points(vertices.iter().map(|&v| mesh.positions().get(v)));
     let boxes = alloc::collect(loops.iter().map(around))?;
-    let near = faces_near(mesh, &boxes, &job.part(0.0, 0.05))?;
-    let surroundings = Surroundings::new(mesh, passes, &near, Continuity::C1, &job.part(0.05, 0.1))?;
+    let near = find_faces_near_boxes(mesh, &boxes, &job.part(0.0, 0.05))?;
+    let surroundings = OldFacesAtRims::new(mesh, passes, &near, Continuity::C1, &job.part(0.05, 0.1))?;
     let partners = alloc::collect(loops.iter().map(|_| Vec::new()))?;
     let owner = alloc::collect(0..loops.len())?;
     // Each merge adds one group, and there are fewer merges than loops.
     let joined = alloc::with_capacity(2 * loops.len())?;
     let mut search =
-        GroupSearch { surroundings, loops, partners, weight, groups: joined, owner, trials: Some(MAX_TRIALS) };
-    search.find_partners(&boxes, &job.part(0.1, 0.3))?;
-    search.run(&job.part(0.3, 1.0))?;
+        GroupSearch { surroundings, loops, partners, weight, groups: joined, owner, trials: Some(MAX_PAIR_TRIALS) };
+    search.find_partner_groups(&boxes, &job.part(0.1, 0.3))?;
+    search.merge_groups(&job.part(0.3, 1.0))?;
     let joined = search.groups.iter().flatten().map(|group| {
         let mut numbers = alloc::collect(group.loops.iter().map(|&k| groups[k][0]))?;
         numbers.sort_unstable();
@@ -111,8 +111,8 @@ pub(super) fn group_by_cost(
 }
 
 impl GroupSearch<'_> {
-    fn find_partners(&mut self, boxes: &[Aabb], job: &Job<'_>) -> Result<()> {
-        let near = nearby_pairs(boxes, &job.part(0.0, 0.2))?;
+    fn find_partner_groups(&mut self, boxes: &[Aabb], job: &Job<'_>) -> Result<()> {
+        let near = find_nearby_pairs(boxes, &job.part(0.0, 0.2))?;
         let job = job.part(0.2, 1.0);
         for (at, &([i, k], distance)) in near.iter().enumerate() {
             job.step(at as f64 / near.len() as f64, "triangulating holes")?;
@@ -120,8 +120,8 @@ impl GroupSearch<'_> {
             else {
                 continue;
             };
-            let polygons = rim.polygons()?;
-            if may_gain([&polygons[0], &polygons[1]], self.weight, &job.part(1.0, 1.0))? {
+            let polygons = rim.loop_polygons()?;
+            if may_cost_less_together([&polygons[0], &polygons[1]], self.weight, &job.part(1.0, 1.0))? {
                 alloc::push(&mut self.partners[i], (k, distance))?;
                 alloc::push(&mut self.partners[k], (i, distance))?;
             }
@@ -129,7 +129,7 @@ impl GroupSearch<'_> {
         Ok(())
     }
 
-    fn run(&mut self, job: &Job<'_>) -> Result<()> {
+    fn merge_groups(&mut self, job: &Job<'_>) -> Result<()> {
         let count = self.loops.len();
         let mut near = Vec::new();
         for k in 0..count {
@@ -137,27 +137,27 @@ impl GroupSearch<'_> {
             let found = if self.partners[k].is_empty() {
                 None
             } else {
-                self.triangulate(&alone, &job.part(0.0, 0.2).share(k, count))?
+                self.triangulate_loops(&alone, &job.part(0.0, 0.2).share(k, count))?
             };
             let triangles = found.and_then(|(_, triangles)| triangles);
-            self.groups.push(Some(Group { loops: alone, triangles }));
+            self.groups.push(Some(LoopGroup { loops: alone, triangles }));
         }
         for k in 0..count {
             alloc::append(&mut near, &self.pairs_to_try(k)?)?;
         }
         // Spend the trials on the nearest pairs first.
-        near.sort_unstable_by(nearest_first);
+        near.sort_unstable_by(compare_by_distance_then_index);
         near.dedup();
         let mut pairs = Vec::new();
         self.try_pairs(&near, &mut pairs, &job.part(0.2, 0.6))?;
-        while let Some(GroupPair { groups, triangles, .. }) = take_best(&mut pairs) {
+        while let Some(GroupPair { groups, triangles, .. }) = remove_best_pair(&mut pairs) {
             let [Some(one), Some(other)] = groups.map(|group| self.groups[group].take()) else {
                 break;
             };
             let (new, mut loops) = (self.groups.len(), one.loops);
             alloc::append(&mut loops, &other.loops)?;
             loops.iter().for_each(|&k| self.owner[k] = new);
-            self.groups.push(Some(Group { loops, triangles: Some(triangles) }));
+            self.groups.push(Some(LoopGroup { loops, triangles: Some(triangles) }));
             pairs.retain(|pair| pair.groups.iter().all(|&group| self.groups[group].is_some()));
             self.try_pairs(&self.pairs_to_try(new)?, &mut pairs, &job.part(0.6, 1.0).share(new - count, count))?;
         }
@@ -174,15 +174,15 @@ impl GroupSearch<'_> {
         let mut neighbours = Vec::new();
         for &(k, distance) in own.iter().flat_map(|&k| &self.partners[k]) {
             let other = self.owner[k];
-            if other != group && own.len() + self.loops_of(other).len() <= MAX_LOOPS {
+            if other != group && own.len() + self.loops_of(other).len() <= MAX_LOOPS_PER_PATCH {
                 alloc::push(&mut neighbours, (other, distance))?;
             }
         }
-        sort::stable(&mut neighbours, &|(i, a), (k, b)| i.cmp(k).then(by_distance(a, b)));
+        sort::stable(&mut neighbours, &|(i, a), (k, b)| i.cmp(k).then(compare_distances(a, b)));
         neighbours.dedup_by_key(|&mut (other, _)| other);
-        neighbours.sort_unstable_by(nearest_first);
-        neighbours.truncate(MAX_NEIGHBOURS);
-        let pair = |&(other, distance): &(usize, Distance)| ([group.min(other), group.max(other)], distance);
+        neighbours.sort_unstable_by(compare_by_distance_then_index);
+        neighbours.truncate(MAX_TRIED_NEIGHBOURS);
+        let pair = |&(other, distance): &(usize, BoxDistance)| ([group.min(other), group.max(other)], distance);
         alloc::collect(neighbours.iter().map(pair))
     }
 
@@ -197,7 +197,7 @@ impl GroupSearch<'_> {
                 job.note("there are too many loops near each other: some were not tried together");
                 break;
             }
-            if let Some(pair) = self.try_together(groups, &job.share(at, near.len()))? {
+            if let Some(pair) = self.triangulate_groups_together(groups, &job.share(at, near.len()))? {
                 alloc::push(pairs, pair)?;
             }
         }
@@ -206,12 +206,12 @@ impl GroupSearch<'_> {
 
     /// Triangulates two groups together; `None` if that gains nothing. If one of the groups lacks a
     /// triangulation of its own, the gain is 1.
-    fn try_together(&mut self, groups: [usize; 2], job: &Job<'_>) -> Result<Option<GroupPair>> {
+    fn triangulate_groups_together(&mut self, groups: [usize; 2], job: &Job<'_>) -> Result<Option<GroupPair>> {
         let mut loops = Vec::new();
         for group in groups {
             alloc::append(&mut loops, self.loops_of(group))?;
         }
-        let Some((rim, Some(triangles))) = self.triangulate(&loops, job)? else {
+        let Some((rim, Some(triangles))) = self.triangulate_loops(&loops, job)? else {
             return Ok(None);
         };
         let [one, other] = groups.map(|group| self.groups[group].as_ref().and_then(|group| group.triangles.as_deref()));
@@ -219,27 +219,31 @@ impl GroupSearch<'_> {
             let first: usize = self.loops_of(groups[0]).iter().map(|&k| self.loops[k].len()).sum();
             let mut apart = alloc::copied(one)?;
             alloc::extend(&mut apart, other.iter().map(|triangle| triangle.map(|v| v + first as u32)))?;
-            let polygons = rim.polygons()?;
-            cost(&polygons, &triangles, self.weight)?.gain_over(&cost(&polygons, &apart, self.weight)?)
+            let polygons = rim.loop_polygons()?;
+            cost_of_closing(&polygons, &triangles, self.weight)?.relative_gain_over(&cost_of_closing(
+                &polygons,
+                &apart,
+                self.weight,
+            )?)
         } else {
             1.0
         };
-        Ok((gain > MIN_GAIN).then_some(GroupPair { gain, groups, triangles }))
+        Ok((gain > MIN_RELATIVE_GAIN).then_some(GroupPair { gain, groups, triangles }))
     }
 
     /// Triangulates loops together; `None` if two of them share a vertex.
-    fn triangulate(&mut self, loops: &[usize], job: &Job<'_>) -> Result<Option<(PatchRim, Triangles)>> {
+    fn triangulate_loops(&mut self, loops: &[usize], job: &Job<'_>) -> Result<Option<(PatchRim, GroupTriangulation)>> {
         let Some((rim, names)) = self.surroundings.build_patch_rim(loops.iter().map(|&k| self.loops[k]), job)? else {
             return Ok(None);
         };
-        let taken = |u: u32, v: u32| self.surroundings.share_face(names[u as usize], names[v as usize]);
-        let triangles = triangulate(&rim, self.weight, &taken, job)?;
+        let taken = |u: u32, v: u32| self.surroundings.have_common_face(names[u as usize], names[v as usize]);
+        let triangles = triangulate_rim(&rim, self.weight, &taken, job)?;
         Ok(Some((rim, triangles)))
     }
 }
 
 /// Removes the pair that gains most. Among equal pairs the earlier groups win.
-fn take_best(pairs: &mut Vec<GroupPair>) -> Option<GroupPair> {
+fn remove_best_pair(pairs: &mut Vec<GroupPair>) -> Option<GroupPair> {
     let order = |(_, a): &(usize, &GroupPair), (_, b): &(usize, &GroupPair)| {
         a.gain.total_cmp(&b.gain).then(b.groups.cmp(&a.groups))
     };
@@ -247,44 +251,44 @@ fn take_best(pairs: &mut Vec<GroupPair>) -> Option<GroupPair> {
     Some(pairs.swap_remove(best))
 }
 
-fn by_distance(a: &Distance, b: &Distance) -> Ordering {
+fn compare_distances(a: &BoxDistance, b: &BoxDistance) -> Ordering {
     a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))
 }
 
 /// Orders by distance, then by index.
-fn nearest_first<T: Ord>((i, a): &(T, Distance), (k, b): &(T, Distance)) -> Ordering {
-    by_distance(a, b).then(i.cmp(k))
+fn compare_by_distance_then_index<T: Ord>((i, a): &(T, BoxDistance), (k, b): &(T, BoxDistance)) -> Ordering {
+    compare_distances(a, b).then(i.cmp(k))
 }
 
 /// Returns the pairs of nearby boxes, nearest first.
 ///
-/// Each box proposes its nearest boxes. At most [`MAX_LOOPS`] boxes may propose one box: otherwise
+/// Each box proposes its nearest boxes. At most [`MAX_LOOPS_PER_PATCH`] boxes may propose one box: otherwise
 /// the border of a sheet would be near all holes in it.
-fn nearby_pairs(boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<NearPair>> {
-    let rooms = alloc::collect(boxes.iter().map(|around| around.inflated(BOX_MARGIN * around.diagonal())))?;
+fn find_nearby_pairs(boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<NearPair>> {
+    let rooms = alloc::collect(boxes.iter().map(|around| around.inflated(RELATIVE_BOX_MARGIN * around.diagonal())))?;
     let order = spatial_order(&rooms, 1, &job.part(0.0, 0.2), "triangulating holes")?;
     let tree = BoxTree::new(order.iter().map(|&k| rooms[k as usize]))?;
     let mut pairs = Vec::new();
     for (i, room) in rooms.iter().enumerate() {
-        job.part(0.2, 1.0).step_every(REPORT_INTERVAL, i, rooms.len(), "triangulating holes")?;
+        job.part(0.2, 1.0).step_every(LOOPS_PER_REPORT, i, rooms.len(), "triangulating holes")?;
         let mut neighbours = Vec::new();
         tree.overlapping(room, 0.0, |leaf| {
             let others = order.get(leaf).map(|&k| k as usize).filter(|&k| k != i);
             let distance = |k: usize| [boxes[i].distance(&boxes[k]), boxes[i].centre().distance(boxes[k].centre())];
             alloc::extend(&mut neighbours, others.map(|k| (k, distance(k))))
         })?;
-        neighbours.sort_unstable_by(nearest_first);
-        neighbours.truncate(MAX_NEIGHBOURS);
+        neighbours.sort_unstable_by(compare_by_distance_then_index);
+        neighbours.truncate(MAX_TRIED_NEIGHBOURS);
         alloc::extend(&mut pairs, neighbours.iter().map(|&(k, distance)| ([i, k], distance)))?;
     }
-    pairs.sort_unstable_by(nearest_first);
+    pairs.sort_unstable_by(compare_by_distance_then_index);
     let mut counts = alloc::filled(0, boxes.len())?;
     pairs.retain(|&([_, k], _)| {
         counts[k] += 1;
-        counts[k] <= MAX_LOOPS
+        counts[k] <= MAX_LOOPS_PER_PATCH
     });
     pairs.iter_mut().for_each(|(pair, _)| pair.sort_unstable());
-    pairs.sort_unstable_by(nearest_first);
+    pairs.sort_unstable_by(compare_by_distance_then_index);
     pairs.dedup();
     Ok(pairs)
 }

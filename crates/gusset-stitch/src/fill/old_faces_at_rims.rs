@@ -11,7 +11,7 @@ use gusset_base::sort::sort_distinct;
 use gusset_mesh::{MeshView, NONE};
 
 /// The old faces that touch the rims of all holes.
-pub(super) struct Surroundings<'a> {
+pub(super) struct OldFacesAtRims<'a> {
     mesh: &'a MeshView<'a>,
     /// For each mesh vertex, the number of loops and chains that pass it.
     passes: &'a [u8],
@@ -25,12 +25,12 @@ pub(super) struct Surroundings<'a> {
 }
 
 /// Number of faces between two progress reports; smaller where each face takes more work.
-const REPORT_INTERVAL: usize = 1 << 16;
+const MAX_FACES_PER_REPORT: usize = 1 << 16;
 const FACES_PER_REPORT: usize = 1 << 14;
 
 const STAGE: &str = "looking round the holes";
 
-impl<'a> Surroundings<'a> {
+impl<'a> OldFacesAtRims<'a> {
     /// Collects the old faces at the rims. `near` lists faces in ascending order, including all
     /// that touch a rim. For curvature continuity another pass over all faces collects the next
     /// ring. Extra memory: 4 bytes per mesh vertex, 8 per corner at a rim, and 8 per corner of the
@@ -44,7 +44,7 @@ impl<'a> Surroundings<'a> {
     ) -> Result<Self> {
         let mut corners = Vec::new();
         for (k, &f) in near.iter().enumerate() {
-            job.step_every(REPORT_INTERVAL, k, near.len(), STAGE)?;
+            job.step_every(MAX_FACES_PER_REPORT, k, near.len(), STAGE)?;
             for v in mesh.face(f as usize).filter(|&v| passes[v as usize] > 0) {
                 alloc::push(&mut corners, (v, f))?;
             }
@@ -54,18 +54,18 @@ impl<'a> Surroundings<'a> {
             Continuity::C1 => Vec::new(),
             Continuity::C2 => second_ring_corners(mesh, passes, &corners, job)?,
         };
-        Ok(Surroundings { mesh, passes, corners, beyond, names: alloc::filled(NONE, mesh.positions().len())? })
+        Ok(OldFacesAtRims { mesh, passes, corners, beyond, names: alloc::filled(NONE, mesh.positions().len())? })
     }
 
-    fn faces_at(&self, v: u32) -> &[(u32, u32)] {
-        corners_of(&self.corners, v)
+    fn corners_at_rim_vertex(&self, v: u32) -> &[(u32, u32)] {
+        corners_at_vertex(&self.corners, v)
     }
 
     /// Returns true if one face has both rim vertices, as an edge or as a diagonal. A diagonal
     /// becomes an edge when the face is triangulated. O(log n), times the smaller number of faces
     /// at either vertex.
-    pub(super) fn share_face(&self, u: u32, v: u32) -> bool {
-        let (few, many) = (self.faces_at(u), self.faces_at(v));
+    pub(super) fn have_common_face(&self, u: u32, v: u32) -> bool {
+        let (few, many) = (self.corners_at_rim_vertex(u), self.corners_at_rim_vertex(v));
         let (few, many) = if few.len() <= many.len() { (few, many) } else { (many, few) };
         few.iter().any(|&(_, face)| many.binary_search_by_key(&face, |&(_, face)| face).is_ok())
     }
@@ -82,7 +82,7 @@ impl<'a> Surroundings<'a> {
         let (mut names, mut next, mut lengths) = (Vec::new(), Vec::new(), Vec::new());
         for vertices in loops {
             let (first, n) = (names.len(), vertices.len());
-            alloc::append(&mut names, &reversed_loop(mesh, vertices)?)?;
+            alloc::append(&mut names, &reverse_loop(mesh, vertices)?)?;
             alloc::extend(&mut next, (1..=n).map(|i| (first + i % n) as u32))?;
             alloc::push(&mut lengths, n)?;
         }
@@ -99,8 +99,8 @@ impl<'a> Surroundings<'a> {
         }
         let mut faces = Vec::new();
         for (k, &v) in rim.iter().enumerate() {
-            report_within(k, &job)?;
-            alloc::extend(&mut faces, self.faces_at(v).iter().map(|&(_, face)| face))?;
+            report_within_long_list(k, &job)?;
+            alloc::extend(&mut faces, self.corners_at_rim_vertex(v).iter().map(|&(_, face)| face))?;
         }
         sort_distinct(&mut faces);
 
@@ -109,7 +109,7 @@ impl<'a> Surroundings<'a> {
         let mut across = alloc::filled(DVec3::ZERO, n)?;
         let mut own = Vec::new();
         for (k, &f) in faces.iter().enumerate() {
-            report_within(k, &job)?;
+            report_within_long_list(k, &job)?;
             self.number_corners(f, &mut names, &mut own)?;
             let point = |name: u32| mesh.positions().get(names[name as usize]);
             let area = unit_normal(&own, point);
@@ -122,12 +122,12 @@ impl<'a> Surroundings<'a> {
                 }
             }
         }
-        let next_to = names[n..].iter().flat_map(|&v| corners_of(&self.beyond, v));
+        let next_to = names[n..].iter().flat_map(|&v| corners_at_vertex(&self.beyond, v));
         let mut next_to = alloc::gather(next_to.map(|&(_, face)| face))?;
         sort_distinct(&mut next_to);
         let mut beyond = Vec::new();
         for (k, &f) in next_to.iter().enumerate() {
-            report_within(k, &job)?;
+            report_within_long_list(k, &job)?;
             self.number_corners(f, &mut names, &mut own)?;
             alloc::extend(&mut beyond, own[1..].windows(2).map(|pair| [own[0], pair[0], pair[1]]))?;
         }
@@ -139,11 +139,11 @@ impl<'a> Surroundings<'a> {
 }
 
 /// Reports progress within a long list, but not within a short one.
-fn report_within(k: usize, job: &Job<'_>) -> Result<()> {
+fn report_within_long_list(k: usize, job: &Job<'_>) -> Result<()> {
     if k % FACES_PER_REPORT == FACES_PER_REPORT - 1 { job.step(0.0, STAGE) } else { Ok(()) }
 }
 
-fn corners_of(corners: &[(u32, u32)], v: u32) -> &[(u32, u32)] {
+fn corners_at_vertex(corners: &[(u32, u32)], v: u32) -> &[(u32, u32)] {
     let start = corners.partition_point(|&(u, _)| u < v);
     let count = corners[start..].partition_point(|&(u, _)| u == v);
     &corners[start..start + count]
@@ -162,7 +162,7 @@ fn second_ring_corners(
     }
     let mut corners_beyond = Vec::new();
     for f in 0..mesh.faces().len() {
-        job.step_every(REPORT_INTERVAL, f, mesh.faces().len(), STAGE)?;
+        job.step_every(MAX_FACES_PER_REPORT, f, mesh.faces().len(), STAGE)?;
         if mesh.face(f).all(|v| passes[v as usize] == 0) {
             alloc::extend(&mut corners_beyond, mesh.face(f).filter(|&v| is_next[v as usize]).map(|v| (v, f as u32)))?;
         }
@@ -171,7 +171,7 @@ fn second_ring_corners(
     Ok(corners_beyond)
 }
 
-impl Surroundings<'_> {
+impl OldFacesAtRims<'_> {
     /// Converts the corners of a face to local numbers. New vertices get the next numbers.
     fn number_corners(&mut self, face: u32, names: &mut Vec<u32>, corners: &mut Vec<u32>) -> Result<()> {
         corners.clear();
@@ -189,7 +189,7 @@ impl Surroundings<'_> {
 
 /// Reverses a loop. The result ends with the longest side. Among equal sides it is the one at the
 /// smallest vertex, so that the first vertex of the given loop does not matter.
-fn reversed_loop(mesh: &MeshView<'_>, vertices: &[u32]) -> Result<Vec<u32>> {
+fn reverse_loop(mesh: &MeshView<'_>, vertices: &[u32]) -> Result<Vec<u32>> {
     let mut rim = alloc::collect(vertices.iter().rev().copied())?;
     let length = |i: usize| {
         let [p, q] = [i, (i + 1) % rim.len()].map(|i| mesh.positions().get(rim[i]));

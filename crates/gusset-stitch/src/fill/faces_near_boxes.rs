@@ -11,13 +11,13 @@ use std::cell::Cell;
 use std::ops::Range;
 
 /// Number of faces that a thread examines at a time.
-const CHUNK: usize = 1 << 14;
+const FACES_PER_TASK: usize = 1 << 14;
 
 const STAGE: &str = "looking round the holes";
 
 /// Returns the faces whose boxes meet one of `boxes`, in ascending order. O(F log n) for F faces
 /// and n boxes; extra memory: 4 bytes per returned face, and about 200 per box.
-pub(super) fn faces_near(mesh: &MeshView<'_>, boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<u32>> {
+pub(super) fn find_faces_near_boxes(mesh: &MeshView<'_>, boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<u32>> {
     let order = spatial_order(boxes, 1, &job.part(0.0, 0.1), STAGE)?;
     let job = job.part(0.1, 1.0);
     let tree = BoxTree::new(order.iter().map(|&i| boxes[i as usize]))?;
@@ -38,7 +38,7 @@ pub(super) fn faces_near(mesh: &MeshView<'_>, boxes: &[Aabb], job: &Job<'_>) -> 
         Ok(faces_found)
     };
     let mut near = Vec::new();
-    let faces_found = par::map_cancellable(&job, STAGE, par::ranges(mesh.faces().len(), CHUNK), chunk)?;
+    let faces_found = par::map_cancellable(&job, STAGE, par::ranges(mesh.faces().len(), FACES_PER_TASK), chunk)?;
     alloc::append_all(&mut near, faces_found)?;
     Ok(near)
 }

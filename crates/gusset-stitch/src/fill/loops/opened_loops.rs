@@ -7,7 +7,7 @@
 //! surface with these bridges, except those that repeat an edge between different copies of its
 //! ends.
 
-use super::super::weigh::Polygon;
+use super::super::triangulation_cost::Polygon;
 use super::numbered_rims::NumberedRims;
 use crate::remesh::PatchMesh;
 use glam::DVec3;
@@ -16,23 +16,23 @@ use gusset_base::error::Result;
 use std::ops::Range;
 
 /// A polygon through the vertices of several loops.
-pub(super) struct Opened {
+pub(super) struct OpenedLoops {
     /// The vertex at each place.
     pub(super) order: Vec<u32>,
     /// True for places whose edge to the next place is a bridge.
     pub(super) bridges: Vec<bool>,
 }
 
-impl Opened {
+impl OpenedLoops {
     /// Creates the polygon of one loop with these vertices.
-    pub(super) fn from_loop(range: Range<u32>) -> Result<Opened> {
+    pub(super) fn from_loop(range: Range<u32>) -> Result<OpenedLoops> {
         let bridges = alloc::filled(false, range.len())?;
-        Ok(Opened { order: alloc::collect(range)?, bridges })
+        Ok(OpenedLoops { order: alloc::collect(range)?, bridges })
     }
 
     /// Adds the loop with the vertices `range` by a bridge from a place to its vertex `v`. The
     /// bridge becomes the last edge.
-    pub(super) fn extended_by_loop(&self, place: usize, range: Range<u32>, v: u32) -> Result<Opened> {
+    pub(super) fn extended_by_loop(&self, place: usize, range: Range<u32>, v: u32) -> Result<OpenedLoops> {
         let n = self.order.len() + range.len() + 2;
         let (mut order, mut bridges) = (alloc::with_capacity(n)?, alloc::with_capacity(n)?);
         order.extend((v..range.end).chain(range.start..=v));
@@ -41,7 +41,7 @@ impl Opened {
         bridges.extend(&self.bridges[place..]);
         order.extend(&self.order[..=place]);
         bridges.extend(self.bridges[..place].iter().chain(&[true]));
-        Ok(Opened { order, bridges })
+        Ok(OpenedLoops { order, bridges })
     }
 
     pub(super) fn len(&self) -> usize {
@@ -58,7 +58,7 @@ impl Opened {
 
     /// Returns the ends of each bridge, the smaller first, and the two places where the polygon
     /// passes it.
-    pub(super) fn tree(&self) -> Result<Vec<([u32; 2], [usize; 2])>> {
+    pub(super) fn bridge_tree(&self) -> Result<Vec<([u32; 2], [usize; 2])>> {
         let n = self.len();
         let passes = (0..n).filter(|&p| self.bridges[p]).map(|p| {
             let (u, v) = (self.order[p], self.order[(p + 1) % n]);
@@ -70,25 +70,25 @@ impl Opened {
     }
 
     /// Converts triangles of places to triangles of vertices.
-    pub(super) fn to_vertices(&self, triangles: &[[u32; 3]]) -> Result<Vec<[u32; 3]>> {
+    pub(super) fn places_to_vertices(&self, triangles: &[[u32; 3]]) -> Result<Vec<[u32; 3]>> {
         alloc::collect(triangles.iter().map(|triangle| triangle.map(|place| self.order[place as usize])))
     }
 
     /// Returns the polygon of finer loops with the same bridges, and the new place of each old
     /// place. `kept` lists the vertices of these loops in the finer loops.
-    pub(super) fn refined(&self, rims: &NumberedRims, kept: &[u32]) -> Result<(Opened, Vec<u32>)> {
-        let mut finer = Opened { order: Vec::new(), bridges: Vec::new() };
+    pub(super) fn refined_loops(&self, rims: &NumberedRims, kept: &[u32]) -> Result<(OpenedLoops, Vec<u32>)> {
+        let mut finer = OpenedLoops { order: Vec::new(), bridges: Vec::new() };
         let mut places = alloc::with_capacity(self.len())?;
         for p in 0..self.len() {
             let [v, end] = [p, (p + 1) % self.len()].map(|p| kept[self.order[p] as usize]);
             places.push(finer.len() as u32);
             alloc::push(&mut finer.order, v)?;
             alloc::push(&mut finer.bridges, self.bridges[p])?;
-            let mut between = if self.bridges[p] { end } else { rims.next(v) };
+            let mut between = if self.bridges[p] { end } else { rims.next_vertex(v) };
             while between != end {
                 alloc::push(&mut finer.order, between)?;
                 alloc::push(&mut finer.bridges, false)?;
-                between = rims.next(between);
+                between = rims.next_vertex(between);
             }
         }
         Ok((finer, places))
@@ -112,11 +112,11 @@ impl Opened {
 /// of all loops, and are returned as ascending places. Returns `None` if the result is not a disc.
 ///
 /// O(n log n).
-pub(super) fn cut_open(
+pub(super) fn cut_open_along_tree(
     rims: &NumberedRims,
     triangles: &[[u32; 3]],
     tree: &[[u32; 2]],
-) -> Result<Option<(Opened, Vec<[u32; 3]>)>> {
+) -> Result<Option<(OpenedLoops, Vec<[u32; 3]>)>> {
     let mut tree = alloc::copied(tree)?;
     tree.sort_unstable();
     let is_bridge = |u: u32, v: u32| tree.binary_search(&[u.min(v), u.max(v)]).is_ok();
@@ -126,7 +126,7 @@ pub(super) fn cut_open(
     let Some(first) = all.find(|&(t, k)| tree.first().is_some_and(|bridge| side(t, k) == *bridge)) else {
         return Ok(None);
     };
-    let n = rims.count() + 2 * tree.len();
+    let n = rims.vertex_count() + 2 * tree.len();
     let (mut order, mut bridges) = (alloc::with_capacity(n)?, alloc::with_capacity(n)?);
     let mut places = alloc::filled([u32::MAX; 3], triangles.len())?;
     let (mut t, mut k) = first;
@@ -136,8 +136,8 @@ pub(super) fn cut_open(
         let place = order.len() as u32;
         k = (k + 1) % 3;
         let [v, mut end] = side(t, k);
-        while rims.next(v) != end && !is_bridge(v, end) {
-            let Some((s, j)) = mesh.beyond(t, k).filter(|_| places[t][k] == u32::MAX) else {
+        while rims.next_vertex(v) != end && !is_bridge(v, end) {
+            let Some((s, j)) = mesh.triangle_across(t, k).filter(|_| places[t][k] == u32::MAX) else {
                 return Ok(None);
             };
             places[t][k] = place;
@@ -146,11 +146,11 @@ pub(super) fn cut_open(
         }
         places[t][k] = place;
         order.push(v);
-        bridges.push(rims.next(v) != end);
+        bridges.push(rims.next_vertex(v) != end);
     }
     if (t, k) != first || places.as_flattened().contains(&u32::MAX) {
         return Ok(None);
     }
     places.iter_mut().for_each(|triangle| triangle.sort_unstable());
-    Ok(Some((Opened { order, bridges }, places)))
+    Ok(Some((OpenedLoops { order, bridges }, places)))
 }

@@ -1,6 +1,6 @@
 //! Groups the loops that the caller wants to share a patch.
 
-use super::choose::Candidate;
+use super::candidate_loops::CandidateLoop;
 use super::fill_request::{HoleStatus, Selection, Together};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -8,8 +8,8 @@ use gusset_base::sort;
 
 /// Returns the candidates to fill by patch. Each group is ascending, and the groups are ordered by
 /// their first candidates. Candidates that are left open belong to no group.
-pub(super) fn patch_groups(
-    candidates: &[Candidate],
+pub(super) fn group_candidates_by_patch(
+    candidates: &[CandidateLoop],
     selection: Selection<'_>,
     together: Together,
 ) -> Result<Vec<Vec<usize>>> {

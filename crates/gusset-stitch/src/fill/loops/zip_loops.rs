@@ -4,56 +4,64 @@
 //! do not resolve the gap. From the shortest bridge, triangles advance around on the loop with the
 //! shorter next bridge. The result is kept if it costs less.
 
-use super::super::chords::NearChords;
-use super::super::search::bands;
-use super::improve::{NOTHING_TAKEN, REPEATS};
-use super::opened::Opened;
-use super::task::{Closed, Repeats, Task};
+use super::super::chords::ChordsNearTriangulation;
+use super::super::triangulation_search::band_widths_to_try;
+use super::closing_task::{ClosedLoops, ClosingTask, RepeatedEdges};
+use super::improve_along_bridges::{MAX_REPEATED_EDGE_SEARCHES, NO_TAKEN_EDGE};
+use super::opened_loops::OpenedLoops;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 
 /// Number of steps from loop to loop towards a local shortest bridge.
-const MAX_STEPS: usize = 4;
+const MAX_BRIDGE_STEPS: usize = 4;
 
 /// Returns the best triangulation near the zip if it costs less than `best`, or else `best`.
 /// Returns `best` unless there are exactly two loops.
 ///
 /// O(n log n).
-pub(super) fn zip_loops(task: &Task<'_>, best: Closed, job: &Job<'_>) -> Result<Closed> {
+pub(super) fn zip_loops(task: &ClosingTask<'_>, best: ClosedLoops, job: &Job<'_>) -> Result<ClosedLoops> {
     let rims = task.rims;
-    let named = best.opened.to_vertices(&best.triangles)?;
+    let named = best.opened.places_to_vertices(&best.triangles)?;
     let sides = named.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let bridges = sides.filter(|&[u, v]| rims.ring[u as usize] < rims.ring[v as usize]);
-    let length = |[u, v]: [u32; 2]| rims.squared(u, v);
+    let length = |[u, v]: [u32; 2]| rims.squared_distance(u, v);
     let shortest = bridges.min_by(|&a, &b| length(a).total_cmp(&length(b)).then(a.cmp(&b)));
-    let Some([mut u, mut v]) = shortest.filter(|_| rims.loops() == 2) else {
+    let Some([mut u, mut v]) = shortest.filter(|_| rims.loop_count() == 2) else {
         return Ok(best);
     };
     // Step to and fro, to a place where the loops are near each other.
     let nearest = |ring: usize, to: u32| {
-        let free = rims.range(ring).filter(|&w| !(task.taken)(to, w));
+        let free = rims.loop_vertices(ring).filter(|&w| !(task.taken)(to, w));
         free.min_by(|&a, &b| length([a, to]).total_cmp(&length([b, to]))).unwrap_or(to)
     };
-    for _ in 0..MAX_STEPS {
+    for _ in 0..MAX_BRIDGE_STEPS {
         v = nearest(1, u);
         u = nearest(0, v);
     }
-    let opened = Opened::from_loop(rims.range(0))?.extended_by_loop(u as usize, rims.range(1), v)?;
-    let triangles = zip_triangles(task, &opened, rims.range(1).len())?;
-    if !task.is_less(&task.cost(&opened.to_vertices(&triangles)?)?, &best.cost) {
+    let opened =
+        OpenedLoops::from_loop(rims.loop_vertices(0))?.extended_by_loop(u as usize, rims.loop_vertices(1), v)?;
+    let triangles = zip_from_bridge(task, &opened, rims.loop_vertices(1).len())?;
+    if !task.is_less(&task.cost_of_closing(&opened.places_to_vertices(&triangles)?)?, &best.cost) {
         return Ok(best);
     }
     let n = opened.len();
     let same = alloc::collect((0..n).map(|place| place as u32))?;
-    let chords = NearChords::new(n, &triangles, &same, bands(n).next().unwrap_or(1))?;
-    let found = task.search(opened, &chords, NOTHING_TAKEN, Some(&best.cost), Repeats::One(REPEATS), job)?;
+    let chords = ChordsNearTriangulation::new(n, &triangles, &same, band_widths_to_try(n).next().unwrap_or(1))?;
+    let found = task.search_polygon(
+        opened,
+        &chords,
+        NO_TAKEN_EDGE,
+        Some(&best.cost),
+        RepeatedEdges::One(MAX_REPEATED_EDGE_SEARCHES),
+        job,
+    )?;
     Ok(found.unwrap_or(best))
 }
 
 /// Zips from the last edge of the polygon. `first` is the place of the other end of the bridge.
-fn zip_triangles(task: &Task<'_>, opened: &Opened, first: usize) -> Result<Vec<[u32; 3]>> {
-    let squared = |i: usize, k: usize| task.rims.squared(opened.order[i], opened.order[k]);
+fn zip_from_bridge(task: &ClosingTask<'_>, opened: &OpenedLoops, first: usize) -> Result<Vec<[u32; 3]>> {
+    let squared = |i: usize, k: usize| task.rims.squared_distance(opened.order[i], opened.order[k]);
     let (mut i, mut k) = (0, opened.len() - 1);
     let mut triangles = alloc::with_capacity(k - 1)?;
     while i < first || k > first + 1 {
