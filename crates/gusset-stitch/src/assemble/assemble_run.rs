@@ -84,7 +84,7 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
             pieces,
             &assembly,
             &cuts,
-            how.least_island(),
+            how.min_island_faces(),
             round > MAX_ROUNDS_BEFORE_WHOLE_RIM,
             &then,
         )?;

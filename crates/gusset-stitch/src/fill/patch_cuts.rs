@@ -1,7 +1,7 @@
 //! Intersections of patches with each other and with old faces.
 
 use super::placed_patch::{MeshAndPatchVertices, PlacedPatch};
-use crate::intersect::{Soup, intersecting_pairs};
+use crate::intersect::{TriangleSoup, intersecting_pairs};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::Aabb;
@@ -73,7 +73,7 @@ pub(super) fn find_patch_intersections(
 ) -> Result<Vec<[u32; 2]>> {
     let mut new = alloc::with_capacity(patches.iter().map(|patch| patch.triangles.len()).sum())?;
     patches.iter().for_each(|patch| new.extend_from_slice(&patch.triangles));
-    intersecting_pairs(&Soup { at: |v| vertices.scaled_position(v), new: &new, old: &old.corners }, job)
+    intersecting_pairs(&TriangleSoup { at: |v| vertices.scaled_position(v), new: &new, old: &old.corners }, job)
 }
 
 /// Returns the patches with triangles among pairs of [`find_patch_intersections`], ascending.
@@ -154,7 +154,7 @@ impl<'a> IntersectionCounter<'a> {
             let other = &patches[j];
             if j != k && other.around.overlaps(&around) { alloc::append(&mut others, &other.triangles) } else { Ok(()) }
         })?;
-        let soup = Soup { at: |v| vertices.scaled_position(v), new: &patch.triangles, old: &others };
+        let soup = TriangleSoup { at: |v| vertices.scaled_position(v), new: &patch.triangles, old: &others };
         Ok(intersecting_pairs(&soup, job)?.len())
     }
 }

@@ -1,7 +1,7 @@
 //! A strip and the old faces around it, for fairing and for intersection tests.
 
 use super::strip::Strip;
-use crate::intersect::{Soup, intersecting_pairs};
+use crate::intersect::{TriangleSoup, intersecting_pairs};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -125,7 +125,7 @@ impl<'a> Neighbourhood<'a> {
     /// Returns the pairs of intersecting triangles, and the strip's triangles that they index.
     pub(super) fn intersections(&self, old: &Triangles, job: &Job<'_>) -> Result<IntersectingTriangles> {
         let strip = self.strip_triangles()?;
-        let soup = Soup { at: |v| self.position(v), new: &strip.corners, old: &old.corners };
+        let soup = TriangleSoup { at: |v| self.position(v), new: &strip.corners, old: &old.corners };
         Ok(IntersectingTriangles { pairs: intersecting_pairs(&soup, job)?, strip })
     }
 

@@ -2,7 +2,7 @@
 //! thinner than two faces, small islands, and faces that meet only in a vertex.
 
 use super::STAGE;
-use super::trim_request::SPARE_FACTOR;
+use super::trim_request::SPARE_ISLAND_FACTOR;
 use crate::align::CentredPiece;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -14,21 +14,21 @@ use gusset_base::sort::sort;
 use gusset_mesh::{MeshView, NONE, Opposite, Topology, half_edges};
 
 /// Small components with this many times fewer faces than the largest component are islands too.
-const DEBRIS_RATIO: u32 = 10;
+const MIN_DEBRIS_SIZE_RATIO: u32 = 10;
 /// Largest number of rounds that remove faces attached by one side, or meeting others only in a
 /// vertex.
-const MAX_ROUNDS: usize = 20;
+const MAX_CLEANING_ROUNDS: usize = 20;
 
 /// The rims of the kept faces: vertices, and the midpoints of edges.
 #[derive(Default)]
-pub(super) struct RegionRims {
+pub(super) struct KeptFaceRims {
     pub(super) points: Vec<DVec3>,
     /// The normals at these points, not normalised.
     pub(super) normals: Vec<DVec3>,
 }
 
 /// A subset of a piece's faces.
-pub(super) struct Region<'m, 'a> {
+pub(super) struct KeptFaces<'m, 'a> {
     mesh: &'m MeshView<'a>,
     /// For each half-edge, the face on its other side, or [`NONE`].
     across: Vec<u32>,
@@ -43,9 +43,9 @@ pub(super) struct Region<'m, 'a> {
     largest: u32,
 }
 
-impl<'m, 'a> Region<'m, 'a> {
+impl<'m, 'a> KeptFaces<'m, 'a> {
     /// Starts with all faces. O(H log d).
-    pub(super) fn new(mesh: &'m MeshView<'a>, job: &Job<'_>) -> Result<Region<'m, 'a>> {
+    pub(super) fn new(mesh: &'m MeshView<'a>, job: &Job<'_>) -> Result<KeptFaces<'m, 'a>> {
         let topology = Topology::new(mesh, &job.part(0.0, 0.5))?;
         let count = mesh.faces().len();
         let mut face_of = alloc::filled(NONE, mesh.faces().half_edge_count())?;
@@ -59,7 +59,7 @@ impl<'m, 'a> Region<'m, 'a> {
         };
         let halves = 0..face_of.len() as u32;
         let across = alloc::collect_cancellable(halves.map(beyond), &job.part(0.5, 0.5), STAGE)?;
-        let mut region = Region {
+        let mut region = KeptFaces {
             mesh,
             across,
             keeps: alloc::filled(true, count)?,
@@ -68,14 +68,14 @@ impl<'m, 'a> Region<'m, 'a> {
             component: Vec::new(),
             largest: 0,
         };
-        let sizes = region.sizes_within(&region.keeps, &region.keeps, &job.part(0.5, 1.0))?;
+        let sizes = region.component_sizes_within(&region.keeps, &region.keeps, &job.part(0.5, 1.0))?;
         region.component = alloc::collect(sizes.iter().map(|size| size[0]))?;
         region.largest = region.component.iter().copied().max().unwrap_or(0);
         Ok(region)
     }
 
     /// Returns the faces across the sides of a face; [`NONE`] for missing ones.
-    fn neighbours(&self, f: usize) -> &[u32] {
+    fn faces_across_sides(&self, f: usize) -> &[u32] {
         &self.across[self.mesh.faces().range(f)]
     }
 
@@ -104,32 +104,32 @@ impl<'m, 'a> Region<'m, 'a> {
             *keeps = may[f] && !self.mesh.face(f).all(|v| wanted[v as usize]);
         }
         job.step(0.1, STAGE)?;
-        let holes = self.sizes_within(&self.keeps, &self.keeps, job)?;
+        let holes = self.component_sizes_within(&self.keeps, &self.keeps, job)?;
         for f in 0..self.keeps.len() {
             // A gap larger than half a component is not a hole in it.
             let is_hole = 2 * holes[f][0] < self.component[f];
-            let is_small_hole = self.keeps[f] && is_hole && holes[f][0] < SPARE_FACTOR.saturating_mul(min_faces);
+            let is_small_hole = self.keeps[f] && is_hole && holes[f][0] < SPARE_ISLAND_FACTOR.saturating_mul(min_faces);
             self.keeps[f] = may[f] && (!self.keeps[f] || is_small_hole);
         }
         job.step(0.3, STAGE)?;
         self.remove_thin_parts(job)?;
-        for _ in 0..MAX_ROUNDS {
+        for _ in 0..MAX_CLEANING_ROUNDS {
             job.step(0.5, STAGE)?;
-            if !self.remove_ears(job)? & !self.remove_pinches(job)? {
+            if !self.remove_faces_attached_by_one_side(job)? & !self.remove_smaller_fans_at_pinches(job)? {
                 break;
             }
         }
         // Count the faces of each island that no other piece shows.
         let is_needed = |f: usize| self.settled[f] || !self.mesh.face(f).all(|v| shown[v as usize]);
         let needed = alloc::collect_cancellable((0..self.keeps.len()).map(is_needed), &job.part(0.8, 0.8), STAGE)?;
-        let islands = self.sizes_within(&self.keeps, &needed, job)?;
+        let islands = self.component_sizes_within(&self.keeps, &needed, job)?;
         let mut any = false;
         for (f, &[size, needed]) in islands.iter().enumerate() {
             // Islands that other pieces show too can be spared.
-            let least = if 2 * needed < size { SPARE_FACTOR.saturating_mul(min_faces) } else { min_faces };
+            let least = if 2 * needed < size { SPARE_ISLAND_FACTOR.saturating_mul(min_faces) } else { min_faces };
             // The only component of a small piece is not an island; beside large components it is
             // debris.
-            let is_own = size == self.component[f] && size.saturating_mul(DEBRIS_RATIO) >= self.largest;
+            let is_own = size == self.component[f] && size.saturating_mul(MIN_DEBRIS_SIZE_RATIO) >= self.largest;
             let is_island = self.keeps[f] && size < least && !is_own;
             self.keeps[f] &= !is_island;
             self.lost[f] |= is_island;
@@ -139,9 +139,9 @@ impl<'m, 'a> Region<'m, 'a> {
     }
 
     /// Visits the rim edges of the kept faces, with their faces.
-    pub(super) fn each_rim_edge(&self, mut visit: impl FnMut(u32, [u32; 2]) -> Result<()>) -> Result<()> {
+    pub(super) fn visit_rim_edges(&self, mut visit: impl FnMut(u32, [u32; 2]) -> Result<()>) -> Result<()> {
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
-            for ((_, u, v), &g) in half_edges(self.mesh, f).zip(self.neighbours(f)) {
+            for ((_, u, v), &g) in half_edges(self.mesh, f).zip(self.faces_across_sides(f)) {
                 if !self.is_kept(g) {
                     visit(f as u32, [u, v])?;
                 }
@@ -152,15 +152,15 @@ impl<'m, 'a> Region<'m, 'a> {
 
     /// Adds the rim of the kept faces: cut edges, beyond which a face was removed, and border
     /// edges.
-    pub(super) fn add_rim(
+    pub(super) fn add_rim_points(
         &self,
         scan: &CentredPiece,
-        [cut, border]: &mut [RegionRims; 2],
+        [cut, border]: &mut [KeptFaceRims; 2],
         job: &Job<'_>,
     ) -> Result<()> {
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
             job.step_within(f, STAGE)?;
-            for ((_, u, v), &g) in half_edges(self.mesh, f).zip(self.neighbours(f)) {
+            for ((_, u, v), &g) in half_edges(self.mesh, f).zip(self.faces_across_sides(f)) {
                 if !self.is_kept(g) {
                     let [p, q] = [u, v].map(|v| scan.points[v as usize]);
                     let [m, n] = [u, v].map(|v| scan.normals[v as usize]);
@@ -175,7 +175,7 @@ impl<'m, 'a> Region<'m, 'a> {
     }
 
     /// Smooths values at vertices over faces, in `passes` passes.
-    pub(super) fn smooth(&self, values: &mut [f64], passes: usize, job: &Job<'_>) -> Result<()> {
+    pub(super) fn smooth_vertex_values(&self, values: &mut [f64], passes: usize, job: &Job<'_>) -> Result<()> {
         let mut sums = alloc::filled((0.0, 0.0), values.len())?;
         for pass in 0..passes {
             job.step(pass as f64 / passes as f64, STAGE)?;
@@ -204,13 +204,13 @@ impl<'m, 'a> Region<'m, 'a> {
     ///
     /// `on` marks vertices that lie on kept faces of other pieces. Fewer than `min_faces` faces are
     /// small.
-    pub(super) fn restore(&mut self, on: &[bool], min_faces: u32, job: &Job<'_>) -> Result<bool> {
+    pub(super) fn restore_islands(&mut self, on: &[bool], min_faces: u32, job: &Job<'_>) -> Result<bool> {
         let count = self.keeps.len();
         let spared = alloc::collect((0..count).map(|f| self.lost[f] && !self.settled[f]))?;
         let is_bare = |f: usize| spared[f] && !self.mesh.face(f).any(|v| on[v as usize]);
         let bare = alloc::collect_cancellable((0..count).map(is_bare), &job.part(0.0, 0.0), STAGE)?;
-        let islands = self.sizes_within(&spared, &bare, job)?;
-        let places = self.sizes_within(&bare, &bare, job)?;
+        let islands = self.component_sizes_within(&spared, &bare, job)?;
+        let places = self.component_sizes_within(&bare, &bare, job)?;
         let mut any = false;
         for f in (0..count).filter(|&f| spared[f]) {
             let ([all, without], [place, _]) = (islands[f], places[f]);
@@ -223,12 +223,12 @@ impl<'m, 'a> Region<'m, 'a> {
 
     /// Returns for each face of `among` the size of its component in `among`, and the number of
     /// `counted` faces in it; zeros for other faces.
-    fn sizes_within(&self, among: &[bool], counted: &[bool], job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
+    fn component_sizes_within(&self, among: &[bool], counted: &[bool], job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
         let count = among.len();
         let mut sets = DisjointSets::new(count)?;
         for f in (0..count).filter(|&f| among[f]) {
             job.step_within(f, STAGE)?;
-            for &g in self.neighbours(f).iter().filter(|&&g| g != NONE && among[g as usize]) {
+            for &g in self.faces_across_sides(f).iter().filter(|&&g| g != NONE && among[g as usize]) {
                 sets.union(f as u32, g);
             }
         }
@@ -244,7 +244,7 @@ impl<'m, 'a> Region<'m, 'a> {
     }
 
     /// Removes faces for good, and all faces that share a vertex with them.
-    pub(super) fn remove_for_good(&mut self, faces: &[u32]) -> Result<()> {
+    pub(super) fn remove_with_neighbours_for_good(&mut self, faces: &[u32]) -> Result<()> {
         let mut gone = BitSet::new(self.mesh.positions().len())?;
         faces.iter().for_each(|&f| self.mesh.face(f as usize).for_each(|v| gone.insert(v)));
         for f in 0..self.keeps.len() {
@@ -274,12 +274,12 @@ impl<'m, 'a> Region<'m, 'a> {
 
     /// Removes faces of which all sides except one are free, at least one of them by a removal.
     /// Returns true if there were any.
-    fn remove_ears(&mut self, job: &Job<'_>) -> Result<bool> {
+    fn remove_faces_attached_by_one_side(&mut self, job: &Job<'_>) -> Result<bool> {
         let mut ears = Vec::new();
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
             job.part(0.5, 0.5).step_within(f, STAGE)?;
             let (mut held, mut cut) = (0, 0);
-            for &g in self.neighbours(f) {
+            for &g in self.faces_across_sides(f) {
                 held += usize::from(self.is_kept(g));
                 cut += usize::from(g != NONE && !self.is_kept(g));
             }
@@ -293,7 +293,7 @@ impl<'m, 'a> Region<'m, 'a> {
 
     /// At vertices with several fans of faces beside a removed face, removes all fans except the
     /// largest. Returns true if there were any.
-    fn remove_pinches(&mut self, job: &Job<'_>) -> Result<bool> {
+    fn remove_smaller_fans_at_pinches(&mut self, job: &Job<'_>) -> Result<bool> {
         let mut touched = BitSet::new(self.mesh.positions().len())?;
         for f in (0..self.keeps.len()).filter(|&f| !self.keeps[f]) {
             job.part(0.0, 0.0).step_within(f, STAGE)?;
@@ -304,7 +304,7 @@ impl<'m, 'a> Region<'m, 'a> {
         let mut corners: Vec<(u32, u32, [u32; 2])> = Vec::new();
         for f in (0..self.keeps.len()).filter(|&f| self.keeps[f]) {
             job.part(0.0, 0.0).step_within(f, STAGE)?;
-            let beside = self.neighbours(f);
+            let beside = self.faces_across_sides(f);
             for (k, v) in self.mesh.face(f).enumerate().filter(|&(_, v)| touched.contains(v)) {
                 let before = beside[(k + beside.len() - 1) % beside.len()];
                 alloc::push(&mut corners, (v, f as u32, [before, beside[k]]))?;

@@ -1,9 +1,9 @@
 //! Kept faces of different pieces that intersect or touch each other.
 
 use super::STAGE;
-use super::layer::Layer;
-use super::region::Region;
-use crate::intersect::{Soup, intersecting_pairs_where};
+use super::kept_faces::KeptFaces;
+use super::trim_piece::TrimPiece;
+use crate::intersect::{TriangleSoup, intersecting_pairs_where};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -12,7 +12,11 @@ use gusset_base::sort::sort_distinct;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Returns the faces of each piece that intersect a face of an earlier piece. O(F log F).
-pub(super) fn crossings(layers: &[Layer], regions: &[Region<'_, '_>], job: &Job<'_>) -> Result<Vec<Vec<u32>>> {
+pub(super) fn find_crossing_faces(
+    layers: &[TrimPiece],
+    regions: &[KeptFaces<'_, '_>],
+    job: &Job<'_>,
+) -> Result<Vec<Vec<u32>>> {
     let mut points: Vec<DVec3> = Vec::new();
     // The triangles, and the piece and face of each.
     let (mut triangles, mut owners): (Vec<[u32; 3]>, Vec<[u32; 2]>) = (Vec::new(), Vec::new());
@@ -27,7 +31,7 @@ pub(super) fn crossings(layers: &[Layer], regions: &[Region<'_, '_>], job: &Job<
             alloc::push(&mut owners, [k, f])?;
         }
     }
-    let soup = Soup { at: |v: u32| points[v as usize], new: &triangles, old: &[] };
+    let soup = TriangleSoup { at: |v: u32| points[v as usize], new: &triangles, old: &[] };
     // Choose the face of the later piece, as elsewhere. Without a fixed rule, faces of both pieces
     // could be removed at one place.
     let worse = |s: u32, t: u32| if owners[s as usize][0] > owners[t as usize][0] { s } else { t };
@@ -53,9 +57,9 @@ pub(super) fn crossings(layers: &[Layer], regions: &[Region<'_, '_>], job: &Job<
 ///
 /// Applies only to pieces that overlap. If none of the pieces at a vertex shares an edge, the first
 /// is kept. O(r log r) for r rim edges.
-pub(super) fn add_touching(
-    layers: &[Layer],
-    regions: &[Region<'_, '_>],
+pub(super) fn add_touching_faces(
+    layers: &[TrimPiece],
+    regions: &[KeptFaces<'_, '_>],
     pairs: &[[u32; 2]],
     crossing_faces: &mut [Vec<u32>],
 ) -> Result<()> {
@@ -63,7 +67,7 @@ pub(super) fn add_touching(
     let key = |p: DVec3| p.to_array().map(|x| (x + 0.0).to_bits());
     let mut edges = Vec::new();
     for ((layer, region), k) in layers.iter().zip(regions).zip(0u32..) {
-        region.each_rim_edge(|f, ends| {
+        region.visit_rim_edges(|f, ends| {
             alloc::push(&mut edges, (ends.map(|v| key(layer.scan.points[v as usize])), k, f))
         })?;
     }

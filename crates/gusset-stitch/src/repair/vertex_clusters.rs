@@ -8,7 +8,7 @@
 //! representatives are apart, so that a point is within reach of few of them. If corners of one
 //! face are kept apart, each coincident corner becomes a representative in turn.
 
-use super::corners::Corners;
+use super::vertex_corners::VertexCorners;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -19,7 +19,7 @@ use gusset_base::sort::sort;
 use gusset_mesh::{MeshView, NONE};
 
 /// A partition of the vertices into clusters.
-pub(super) struct Clusters {
+pub(super) struct VertexClusters {
     /// For each vertex of the mesh, the smallest vertex of its cluster; the vertex itself if it is
     /// not clustered.
     pub(super) representative: Vec<u32>,
@@ -28,17 +28,17 @@ pub(super) struct Clusters {
 }
 
 /// Number of claims between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 14;
+const CLAIMS_PER_REPORT: usize = 1 << 14;
 
 /// Number of candidates of one claim between two progress reports.
 const CANDIDATES_PER_REPORT: usize = 1 << 18;
 
 /// Sorting this number of candidates reports progress.
-const MANY_CANDIDATES: usize = 1 << 14;
+const MIN_CANDIDATES_SORTED_WITH_REPORTS: usize = 1 << 14;
 
 const STAGE: &str = "clustering vertices";
 
-impl Clusters {
+impl VertexClusters {
     /// Clusters `members`, which are ascending and have finite positions.
     ///
     /// `reach` has a length, at least 0, for each member; it is empty for equal positions. With
@@ -47,17 +47,17 @@ impl Clusters {
         mesh: &MeshView<'_>,
         members: &[u32],
         reach: &[f64],
-        corners: Option<&Corners>,
+        corners: Option<&VertexCorners>,
         job: &Job<'_>,
     ) -> Result<Self> {
         let positions = members.iter().map(|&v| mesh.positions().get(v));
         let points = alloc::collect_cancellable(positions, &job.part(0.0, 0.0), STAGE)?;
         job.step(0.0, STAGE)?;
-        let near = NearVertices::new(&points, reach, &job.part(0.0, 0.4))?;
+        let near = NearVertexSearch::new(&points, reach, &job.part(0.0, 0.4))?;
         let job = job.part(0.4, 1.0);
         job.step(0.0, STAGE)?;
-        let mut guard = Guard::new(mesh, corners)?;
-        let mut clusters = Clusters {
+        let mut guard = FaceCornerGuard::new(mesh, corners)?;
+        let mut clusters = VertexClusters {
             representative: alloc::collect((0..mesh.positions().len()).map(|v| v as u32))?,
             kept_apart: Vec::new(),
         };
@@ -65,15 +65,15 @@ impl Clusters {
         let mut claimed = alloc::filled(false, members.len())?;
         let mut candidates = Vec::new();
         for (i, &representative) in members.iter().enumerate() {
-            job.step_every(REPORT_INTERVAL, i, members.len(), STAGE)?;
+            job.step_every(CLAIMS_PER_REPORT, i, members.len(), STAGE)?;
             if claimed[i] {
                 continue;
             }
             claimed[i] = true;
             candidates.clear();
             let here = i as f64 / members.len() as f64;
-            near.candidates(&points, i, &mut candidates, &job.part(here, here))?;
-            guard.admits(representative, representative);
+            near.append_near_members(&points, i, &mut candidates, &job.part(here, here))?;
+            guard.admit_to_cluster(representative, representative);
             for (k, &(_, j)) in (1..).zip(&candidates) {
                 if k % CANDIDATES_PER_REPORT == 0 {
                     job.step(here, STAGE)?;
@@ -82,7 +82,7 @@ impl Clusters {
                 if claimed[j] {
                     continue;
                 }
-                if guard.admits(representative, v) {
+                if guard.admit_to_cluster(representative, v) {
                     claimed[j] = true;
                     clusters.representative[v as usize] = representative;
                 } else {
@@ -95,7 +95,7 @@ impl Clusters {
 }
 
 /// The search for nearby vertices.
-enum NearVertices<'a> {
+enum NearVertexSearch<'a> {
     /// The members in the order of their positions, and for each member the start of its group in
     /// that order.
     Equal {
@@ -108,10 +108,10 @@ enum NearVertices<'a> {
     },
 }
 
-impl<'a> NearVertices<'a> {
+impl<'a> NearVertexSearch<'a> {
     fn new(points: &'a [DVec3], reach: &'a [f64], job: &Job<'_>) -> Result<Self> {
         if !reach.is_empty() {
-            return Ok(NearVertices::Within { tree: KdTree::new(points, job, STAGE)?, reach });
+            return Ok(NearVertexSearch::Within { tree: KdTree::new(points, job, STAGE)?, reach });
         }
         job.step(0.0, STAGE)?;
         // Convert -0 to 0, so that the order of bits is the order of numbers.
@@ -133,14 +133,14 @@ impl<'a> NearVertices<'a> {
             }
             begin[i as usize] = group as u32;
         }
-        Ok(NearVertices::Equal { order, begin })
+        Ok(NearVertexSearch::Equal { order, begin })
     }
 
     /// Appends the members near member `i`, including itself, as (squared distance, member),
     /// nearest first.
-    fn candidates(&self, points: &[DVec3], i: usize, out: &mut Vec<(f64, u32)>, job: &Job<'_>) -> Result<()> {
+    fn append_near_members(&self, points: &[DVec3], i: usize, out: &mut Vec<(f64, u32)>, job: &Job<'_>) -> Result<()> {
         match self {
-            NearVertices::Equal { order, begin } => {
+            NearVertexSearch::Equal { order, begin } => {
                 let group = order[begin[i] as usize..].iter().take_while(|&&j| points[j as usize] == points[i]);
                 for &j in group {
                     alloc::push(out, (0.0, j))?;
@@ -149,7 +149,7 @@ impl<'a> NearVertices<'a> {
                     }
                 }
             }
-            NearVertices::Within { tree, reach } => {
+            NearVertexSearch::Within { tree, reach } => {
                 let mut outcome = Ok(());
                 let radius = |i: usize| Radius::new(reach[i].max(f64::from_bits(1)));
                 tree.for_each_within(points[i], radius(i), &mut |squared, j| {
@@ -163,7 +163,7 @@ impl<'a> NearVertices<'a> {
                 });
                 outcome?;
                 let nearest_first = |a: &(f64, u32), b: &(f64, u32)| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
-                if out.len() < MANY_CANDIDATES {
+                if out.len() < MIN_CANDIDATES_SORTED_WITH_REPORTS {
                     sort::stable(out, &nearest_first);
                 } else {
                     sort(out, nearest_first, job, STAGE)?;
@@ -175,27 +175,27 @@ impl<'a> NearVertices<'a> {
 }
 
 /// Keeps corners of one face apart.
-struct Guard<'a> {
-    corners: Option<&'a Corners>,
+struct FaceCornerGuard<'a> {
+    corners: Option<&'a VertexCorners>,
     /// For each face, the representative that last got one of its corners.
     owner: Vec<u32>,
 }
 
-impl<'a> Guard<'a> {
-    fn new(mesh: &MeshView<'_>, corners: Option<&'a Corners>) -> Result<Self> {
+impl<'a> FaceCornerGuard<'a> {
+    fn new(mesh: &MeshView<'_>, corners: Option<&'a VertexCorners>) -> Result<Self> {
         let faces = if corners.is_some() { mesh.faces().len() } else { 0 };
-        Ok(Guard { corners, owner: alloc::filled(NONE, faces)? })
+        Ok(FaceCornerGuard { corners, owner: alloc::filled(NONE, faces)? })
     }
 
     /// Admits `v` to the cluster of `representative`. Returns false if a face has both `v` and an
     /// earlier vertex of the cluster.
-    fn admits(&mut self, representative: u32, v: u32) -> bool {
+    fn admit_to_cluster(&mut self, representative: u32, v: u32) -> bool {
         let Some(corners) = self.corners else { return true };
-        if corners.corners_at(v).iter().any(|&h| self.owner[corners.face(h)] == representative) {
+        if corners.corners_at_vertex(v).iter().any(|&h| self.owner[corners.face_of_corner(h)] == representative) {
             return false;
         }
-        for &h in corners.corners_at(v) {
-            self.owner[corners.face(h)] = representative;
+        for &h in corners.corners_at_vertex(v) {
+            self.owner[corners.face_of_corner(h)] = representative;
         }
         true
     }

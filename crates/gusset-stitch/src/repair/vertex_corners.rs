@@ -8,12 +8,12 @@ use gusset_mesh::MeshView;
 
 /// The corners at each vertex, ascending, and the face of each corner, in constant time; 8 bytes
 /// per corner and 4 per vertex.
-pub(super) struct Corners {
+pub(super) struct VertexCorners {
     face: Vec<u32>,
     corners: Buckets<u32>,
 }
 
-impl Corners {
+impl VertexCorners {
     /// Builds the table by a counting sort, O(V + H).
     pub(super) fn new(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Self> {
         let (faces, vertices) = (mesh.faces(), mesh.positions().len());
@@ -24,14 +24,14 @@ impl Corners {
             range.for_each(|f| face.extend(faces.range(f).map(|_| f as u32)));
             Ok(())
         })?;
-        Ok(Corners { face, corners })
+        Ok(VertexCorners { face, corners })
     }
 
-    pub(super) fn face(&self, h: u32) -> usize {
+    pub(super) fn face_of_corner(&self, h: u32) -> usize {
         self.face[h as usize] as usize
     }
 
-    pub(super) fn corners_at(&self, v: u32) -> &[u32] {
+    pub(super) fn corners_at_vertex(&self, v: u32) -> &[u32] {
         self.corners.get(v as usize)
     }
 }

@@ -14,12 +14,12 @@
 //! dropped too.
 //!
 //! O((V + E) log V) for V vertices and E edges of borders with few places on each edge. Each
-//! comparison takes as much again; there are at most [`MAX_PASSES`].
+//! comparison takes as much again; there are at most [`MAX_SPLIT_FILTER_PASSES`].
 
-use super::cluster::Clusters;
-use super::seams::{free_vertices, is_free};
+use super::sew_edges::{free_vertices, is_free};
 use super::split_face::{SplitFace, is_upright};
-use super::tolerance::{Source, Tolerance};
+use super::vertex_clusters::VertexClusters;
+use super::weld_tolerance::{ToleranceSource, WeldTolerance};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -31,13 +31,13 @@ use gusset_base::sort::{sort, sort_distinct};
 use gusset_mesh::{MeshView, Topology, half_edges, unordered};
 
 /// Number of edges in a leaf of the tree.
-const GROUP: usize = 4;
+const EDGES_PER_LEAF: usize = 4;
 
 /// Largest number of comparisons of the remaining splits.
-const MAX_PASSES: usize = 16;
+const MAX_SPLIT_FILTER_PASSES: usize = 16;
 
 /// Number of vertices between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 10;
+const VERTICES_PER_REPORT: usize = 1 << 10;
 
 /// Number of visited leaves between two progress reports.
 const LEAVES_PER_REPORT: usize = 1 << 16;
@@ -57,7 +57,7 @@ pub(super) struct FreeEdge {
 
 /// A split of a free edge.
 #[derive(Clone, Copy)]
-pub(super) struct Split {
+pub(super) struct EdgeSplit {
     /// The index of the edge.
     pub(super) edge: u32,
     /// The position along the edge, from 0 to 1.
@@ -67,18 +67,23 @@ pub(super) struct Split {
 }
 
 /// The splits of free edges.
-pub(super) struct Junctions {
+pub(super) struct TJunctions {
     /// The free edges, in the order of their half-edges.
     pub(super) edges: Vec<FreeEdge>,
     /// The splits, ordered by edge and along each edge.
-    pub(super) splits: Vec<Split>,
+    pub(super) splits: Vec<EdgeSplit>,
     /// Vertices that lie on a free edge that is not split there, ascending.
     pub(super) left: Vec<u32>,
 }
 
-impl Junctions {
+impl TJunctions {
     /// Finds the splits that make borders match.
-    pub(super) fn find(mesh: &MeshView<'_>, topology: &Topology, source: Source, job: &Job<'_>) -> Result<Self> {
+    pub(super) fn find(
+        mesh: &MeshView<'_>,
+        topology: &Topology,
+        source: ToleranceSource,
+        job: &Job<'_>,
+    ) -> Result<Self> {
         let faces = mesh.faces().len();
         let mut edges = Vec::new();
         for face in 0..faces {
@@ -90,24 +95,24 @@ impl Junctions {
         job.step(0.0, STAGE)?;
         let members = free_vertices(mesh, topology)?;
         job.step(0.0, STAGE)?;
-        let tolerance = Tolerance::find(mesh, &members, source, &job.part(0.0, 0.1))?;
-        let clusters = Clusters::find(mesh, &members, &tolerance.reach, None, &job.part(0.1, 0.3))?;
-        let border = Border { mesh, edges: &edges, members: &members, clusters: &clusters.representative };
-        let mut splits = border.places(&tolerance.reach, &job.part(0.3, 0.7))?;
+        let tolerance = WeldTolerance::find(mesh, &members, source, &job.part(0.0, 0.1))?;
+        let clusters = VertexClusters::find(mesh, &members, &tolerance.reach, None, &job.part(0.1, 0.3))?;
+        let border = FreeBorder { mesh, edges: &edges, members: &members, clusters: &clusters.representative };
+        let mut splits = border.places_on_edges(&tolerance.reach, &job.part(0.3, 0.7))?;
         job.step(0.7, STAGE)?;
         let mut left = alloc::gather(splits.iter().map(|split| split.vertex))?;
-        border.keep_useful(&mut splits, &job.part(0.7, 1.0))?;
+        border.keep_useful_splits(&mut splits, &job.part(0.7, 1.0))?;
         job.step(1.0, STAGE)?;
         let mut used = alloc::gather(splits.iter().map(|split| split.vertex))?;
         sort_distinct(&mut used);
         sort_distinct(&mut left);
         left.retain(|v| used.binary_search(v).is_err());
-        Ok(Junctions { edges, splits, left })
+        Ok(TJunctions { edges, splits, left })
     }
 }
 
 /// The free edges, and the clusters of their ends.
-struct Border<'a> {
+struct FreeBorder<'a> {
     mesh: &'a MeshView<'a>,
     edges: &'a [FreeEdge],
     /// The ends of the edges, ascending.
@@ -116,14 +121,14 @@ struct Border<'a> {
     clusters: &'a [u32],
 }
 
-impl Border<'_> {
-    fn cluster(&self, v: u32) -> u32 {
+impl FreeBorder<'_> {
+    fn cluster_of(&self, v: u32) -> u32 {
         self.clusters[v as usize]
     }
 
     /// Returns all places on edges, by edge and along each edge. `reach` has an entry per member;
     /// empty for 0.
-    fn places(&self, reach: &[f64], job: &Job<'_>) -> Result<Vec<Split>> {
+    fn places_on_edges(&self, reach: &[f64], job: &Job<'_>) -> Result<Vec<EdgeSplit>> {
         let points = self.members.iter().map(|&v| self.mesh.positions().get(v));
         let points = alloc::collect_cancellable(points, &job.part(0.0, 0.0), STAGE)?;
         job.step(0.0, STAGE)?;
@@ -140,19 +145,19 @@ impl Border<'_> {
             boxes.extend(long[range].iter().map(|&e| Aabb::from_points(ends(e))));
             Ok(())
         })?;
-        let order = spatial_order(&boxes, GROUP, &job.part(0.0, 0.2), STAGE)?;
+        let order = spatial_order(&boxes, EDGES_PER_LEAF, &job.part(0.0, 0.2), STAGE)?;
         let around = |group: &[u32]| group.iter().fold(Aabb::EMPTY, |whole, &e| whole.union(boxes[e as usize]));
-        let groups = alloc::collect_cancellable(order.chunks(GROUP).map(around), &job.part(0.2, 0.2), STAGE)?;
+        let groups = alloc::collect_cancellable(order.chunks(EDGES_PER_LEAF).map(around), &job.part(0.2, 0.2), STAGE)?;
         let tree = BoxTree::new_cancellable(groups.into_iter(), &job.part(0.2, 0.2), STAGE)?;
-        let mut splits: Vec<Split> = Vec::new();
+        let mut splits: Vec<EdgeSplit> = Vec::new();
         let mut leaves = 0;
         for (i, (&v, &p)) in self.members.iter().zip(&points).enumerate() {
             let here = job.part(0.2, 0.6).share(i, points.len());
-            if i % REPORT_INTERVAL == 0 {
+            if i % VERTICES_PER_REPORT == 0 {
                 here.step(0.0, STAGE)?;
             }
             // A vertex at the exact position of its representative finds the same places.
-            let first = self.members.binary_search(&self.cluster(v)).unwrap_or(i);
+            let first = self.members.binary_search(&self.cluster_of(v)).unwrap_or(i);
             if first < i && points[first] == p && reach.get(first) == reach.get(i) {
                 continue;
             }
@@ -162,43 +167,44 @@ impl Border<'_> {
                 if leaves % LEAVES_PER_REPORT == 0 {
                     here.step(0.0, STAGE)?;
                 }
-                for &place in &order[GROUP * leaf..order.len().min(GROUP * (leaf + 1))] {
+                for &place in &order[EDGES_PER_LEAF * leaf..order.len().min(EDGES_PER_LEAF * (leaf + 1))] {
                     let e = long[place as usize];
-                    if let Some(at) = place_on_edge(ends(e), point, reach)
-                        && self.is_apart(v, e)
+                    if let Some(at) = position_along_edge(ends(e), point, reach)
+                        && self.has_no_near_corner(v, e)
                     {
-                        alloc::push(&mut splits, Split { edge: e, at, vertex: self.cluster(v) })?;
+                        alloc::push(&mut splits, EdgeSplit { edge: e, at, vertex: self.cluster_of(v) })?;
                     }
                 }
                 Ok(())
             })?;
         }
-        let by_place = |a: &Split, b: &Split| a.at.total_cmp(&b.at);
-        let by_vertex = |a: &Split, b: &Split| a.edge.cmp(&b.edge).then(a.vertex.cmp(&b.vertex));
+        let by_place = |a: &EdgeSplit, b: &EdgeSplit| a.at.total_cmp(&b.at);
+        let by_vertex = |a: &EdgeSplit, b: &EdgeSplit| a.edge.cmp(&b.edge).then(a.vertex.cmp(&b.vertex));
         sort(&mut splits, |a, b| by_vertex(a, b).then(by_place(a, b)), &job.part(0.6, 0.8), STAGE)?;
         job.step(0.8, STAGE)?;
         splits.dedup_by_key(|split| (split.edge, split.vertex));
-        let along = |a: &Split, b: &Split| a.edge.cmp(&b.edge).then(by_place(a, b)).then(a.vertex.cmp(&b.vertex));
+        let along =
+            |a: &EdgeSplit, b: &EdgeSplit| a.edge.cmp(&b.edge).then(by_place(a, b)).then(a.vertex.cmp(&b.vertex));
         sort(&mut splits, along, &job.part(0.8, 1.0), STAGE)?;
         Ok(splits)
     }
 
     /// Returns true if the edge's face does not have a corner near `v`.
-    fn is_apart(&self, v: u32, e: u32) -> bool {
-        let cluster = self.cluster(v);
-        self.mesh.face(self.edges[e as usize].face as usize).all(|corner| self.cluster(corner) != cluster)
+    fn has_no_near_corner(&self, v: u32, e: u32) -> bool {
+        let cluster = self.cluster_of(v);
+        self.mesh.face(self.edges[e as usize].face as usize).all(|corner| self.cluster_of(corner) != cluster)
     }
 
     /// Drops splits that do not help sewing or that would turn triangles over, until all remaining
     /// splits are useful.
-    fn keep_useful(&self, splits: &mut Vec<Split>, job: &Job<'_>) -> Result<()> {
-        for pass in 0..MAX_PASSES {
+    fn keep_useful_splits(&self, splits: &mut Vec<EdgeSplit>, job: &Job<'_>) -> Result<()> {
+        for pass in 0..MAX_SPLIT_FILTER_PASSES {
             let before = splits.len();
             if before > 0 {
-                let job = job.share(pass, MAX_PASSES);
-                self.keep_matched(splits, &job)?;
+                let job = job.share(pass, MAX_SPLIT_FILTER_PASSES);
+                self.keep_splits_that_match(splits, &job)?;
                 job.step(1.0, STAGE)?;
-                self.keep_upright(splits, &job)?;
+                self.keep_splits_without_turned_parts(splits, &job)?;
             }
             if splits.len() == before {
                 break;
@@ -208,12 +214,12 @@ impl Border<'_> {
     }
 
     /// Drops splits without an adjacent piece that coincides with exactly one other.
-    fn keep_matched(&self, splits: &mut Vec<Split>, job: &Job<'_>) -> Result<()> {
+    fn keep_splits_that_match(&self, splits: &mut Vec<EdgeSplit>, job: &Job<'_>) -> Result<()> {
         // Edge e with splits from index j has pieces from index j + e, one more than splits.
         let mut pieces = alloc::with_capacity(splits.len() + self.edges.len())?;
         let mut rest = splits.iter().peekable();
         for (e, edge) in self.edges.iter().enumerate() {
-            let [mut from, end] = edge.ends.map(|v| self.cluster(v));
+            let [mut from, end] = edge.ends.map(|v| self.cluster_of(v));
             job.part(0.0, 0.0).step_every(FACES_PER_REPORT, e, self.edges.len(), STAGE)?;
             while let Some(split) = rest.next_if(|split| split.edge as usize == e) {
                 pieces.push((unordered([from, split.vertex]), pieces.len() as u32));
@@ -240,8 +246,8 @@ impl Border<'_> {
     }
 
     /// Drops the splits of triangles that would have parts turned over.
-    fn keep_upright(&self, splits: &mut Vec<Split>, job: &Job<'_>) -> Result<()> {
-        let face = |split: &Split| self.edges[split.edge as usize].face;
+    fn keep_splits_without_turned_parts(&self, splits: &mut Vec<EdgeSplit>, job: &Job<'_>) -> Result<()> {
+        let face = |split: &EdgeSplit| self.edges[split.edge as usize].face;
         let mut upright = alloc::with_capacity(splits.len())?;
         let mut split_face = SplitFace::default();
         for (k, of_face) in splits.chunk_by(|a, b| face(a) == face(b)).enumerate() {
@@ -249,7 +255,7 @@ impl Border<'_> {
             let f = face(&of_face[0]) as usize;
             let places =
                 of_face.iter().map(|split| (self.edges[split.edge as usize].half_edge, split.at, split.vertex));
-            split_face.set(self.mesh, f, places)?;
+            split_face.set_face(self.mesh, f, places)?;
             let fits = is_upright(self.mesh, f, &split_face);
             upright.extend(of_face.iter().map(|_| fits));
         }
@@ -261,7 +267,7 @@ impl Border<'_> {
 
 /// Returns the position along the edge `p`, `q` of a point within `reach` of the edge and beyond
 /// `reach` from its ends.
-fn place_on_edge([p, q]: [DVec3; 2], point: DVec3, reach: f64) -> Option<f64> {
+fn position_along_edge([p, q]: [DVec3; 2], point: DVec3, reach: f64) -> Option<f64> {
     let (along, from) = (q - p, point - p);
     let squared = reach * reach;
     let at = from.dot(along) / along.length_squared();

@@ -1,6 +1,6 @@
 //! The places on other pieces that vertices lie on.
 
-use super::layer::Layer;
+use super::trim_piece::TrimPiece;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -9,64 +9,64 @@ use gusset_base::job::Job;
 use gusset_base::par;
 
 const STAGE: &str = "looking for overlaps";
-const CHUNK: usize = 1 << 9;
+const VERTICES_PER_TASK: usize = 1 << 9;
 
 /// The criterion for two pieces showing one surface.
 #[derive(Clone, Copy)]
-pub(super) struct SameSurface {
+pub(super) struct SameSurfaceCriterion {
     /// The largest distance; `None` means `edges` mean edges of the coarser piece.
     pub(super) distance: Option<f64>,
     pub(super) edges: f64,
     pub(super) cosine: f64,
 }
 
-impl SameSurface {
-    fn distance(&self, a: &Layer, b: &Layer) -> f64 {
+impl SameSurfaceCriterion {
+    fn max_distance(&self, a: &TrimPiece, b: &TrimPiece) -> f64 {
         self.distance.unwrap_or(self.edges * a.scan.spacing.max(b.scan.spacing))
     }
 }
 
 /// A place that a vertex lies on.
 #[derive(Clone, Copy)]
-struct Cover {
+struct CoverPlace {
     piece: u32,
     face: u32,
     confidence: f64,
 }
 
 /// The places that the vertices of a piece lie on, at most one on each other piece.
-pub(super) struct Covers {
+pub(super) struct VertexCovers {
     ends: Vec<u32>,
-    places: Vec<Cover>,
+    places: Vec<CoverPlace>,
 }
 
-impl Covers {
+impl VertexCovers {
     /// Finds the places. O(log F) for each vertex of piece `k` and each piece near it.
     pub(super) fn new(
-        layers: &[Layer],
+        layers: &[TrimPiece],
         trees: &[TriangleTree<'_>],
         k: usize,
-        same: &SameSurface,
+        same: &SameSurfaceCriterion,
         job: &Job<'_>,
-    ) -> Result<Covers> {
+    ) -> Result<VertexCovers> {
         let own = &layers[k];
         let is_near = |j: &usize| {
             let other = &layers[*j];
-            let reach = same.distance(own, other);
+            let reach = same.max_distance(own, other);
             *j != k && own.scan.bounds.is_within(&other.scan.bounds, reach) && !other.triangles.is_empty()
         };
         let near = alloc::gather((0..layers.len()).filter(is_near))?;
-        let chunks = par::ranges(own.scan.points.len(), CHUNK);
-        let parts = par::map_cancellable(job, STAGE, chunks, |range| -> Result<Covers> {
-            let mut part = Covers { ends: alloc::with_capacity(range.len())?, places: Vec::new() };
+        let chunks = par::ranges(own.scan.points.len(), VERTICES_PER_TASK);
+        let parts = par::map_cancellable(job, STAGE, chunks, |range| -> Result<VertexCovers> {
+            let mut part = VertexCovers { ends: alloc::with_capacity(range.len())?, places: Vec::new() };
             // The triangle of the previous vertex on each piece.
             let mut guesses = alloc::filled(None, near.len())?;
             for v in range {
                 let (p, n) = (own.scan.points[v], own.scan.normals[v]);
                 let on = |(&j, guess): (&usize, &mut Option<u32>)| {
-                    let reach = same.distance(own, &layers[j]);
+                    let reach = same.max_distance(own, &layers[j]);
                     let (face, confidence) = find_cover(&layers[j], &trees[j], p, n, reach, same.cosine, guess)?;
-                    Some(Cover { piece: j as u32, face, confidence })
+                    Some(CoverPlace { piece: j as u32, face, confidence })
                 };
                 if n != DVec3::ZERO {
                     alloc::extend(&mut part.places, near.iter().zip(&mut guesses).filter_map(on))?;
@@ -75,7 +75,7 @@ impl Covers {
             }
             Ok(part)
         })?;
-        let mut all = Covers { ends: alloc::with_capacity(own.scan.points.len())?, places: Vec::new() };
+        let mut all = VertexCovers { ends: alloc::with_capacity(own.scan.points.len())?, places: Vec::new() };
         for part in parts {
             let part = part?;
             let first = all.places.len() as u32;
@@ -85,18 +85,18 @@ impl Covers {
         Ok(all)
     }
 
-    fn covers_at(&self, v: usize) -> &[Cover] {
+    fn covers_at(&self, v: usize) -> &[CoverPlace] {
         let start = v.checked_sub(1).map_or(0, |before| self.ends[before]);
         &self.places[start as usize..self.ends[v] as usize]
     }
 
     /// Returns the number of vertices that lie on another piece.
-    pub(super) fn count(&self) -> u32 {
+    pub(super) fn covered_vertex_count(&self) -> u32 {
         (0..self.ends.len()).filter(|&v| !self.covers_at(v).is_empty()).count() as u32
     }
 
     /// Returns the pieces that vertices lie on, ascending.
-    pub(super) fn pieces(&self) -> Result<Vec<u32>> {
+    pub(super) fn covering_pieces(&self) -> Result<Vec<u32>> {
         let mut pieces = Vec::new();
         for cover in &self.places {
             if !pieces.contains(&cover.piece) {
@@ -108,13 +108,13 @@ impl Covers {
     }
 
     /// Returns true if a vertex lies on a face that satisfies `is_kept`.
-    pub(super) fn is_on(&self, v: usize, is_kept: impl Fn(u32, u32) -> bool) -> bool {
+    pub(super) fn is_covered_where(&self, v: usize, is_kept: impl Fn(u32, u32) -> bool) -> bool {
         self.covers_at(v).iter().any(|cover| is_kept(cover.piece, cover.face))
     }
 
     /// Returns the vertex's confidence minus the largest confidence of its places on faces that
     /// satisfy `competes`; infinity if there are none.
-    pub(super) fn margin(&self, v: usize, confidence: f64, competes: impl Fn(u32, u32) -> bool) -> f64 {
+    pub(super) fn confidence_margin(&self, v: usize, confidence: f64, competes: impl Fn(u32, u32) -> bool) -> f64 {
         let on = self.covers_at(v).iter().filter(|cover| competes(cover.piece, cover.face));
         on.map(|cover| confidence - cover.confidence).fold(f64::INFINITY, f64::min)
     }
@@ -123,7 +123,7 @@ impl Covers {
 /// Returns the face and the confidence of the place on a piece that a point with a normal lies on,
 /// or `None`. `guess` is the triangle of a nearby point.
 fn find_cover(
-    other: &Layer,
+    other: &TrimPiece,
     tree: &TriangleTree<'_>,
     p: DVec3,
     n: DVec3,
