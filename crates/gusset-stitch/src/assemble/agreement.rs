@@ -69,7 +69,7 @@ impl CombinedPieces {
         }
         for (rim, candidate) in loops.rims.iter_mut().zip(&loops.candidates) {
             if is_turned(candidate.component) {
-                rim.turn();
+                rim.adapt_to_turned_surface();
             }
         }
         // Places count along the loops in their new direction.

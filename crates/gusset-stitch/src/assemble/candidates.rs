@@ -39,7 +39,7 @@ impl LoopMeasures {
     pub(super) fn new(rim: &Rim, component: u32, piece: u32, size: f64) -> Self {
         let n = rim.points.len();
         let length = (0..n).map(|i| rim.points[i].distance(rim.points[(i + 1) % n])).sum::<f64>();
-        LoopMeasures { component, piece, size, radius: rim.radius(), length, spacing: length / n as f64 }
+        LoopMeasures { component, piece, size, radius: rim.mean_radius(), length, spacing: length / n as f64 }
     }
 }
 

@@ -83,8 +83,8 @@ impl PieceLoops {
         let [r, k] = facing.rims;
         let (mut a, mut b) = (self.rims[r].try_clone()?, self.rims[k].try_clone()?);
         if let Some([arc_a, arc_b]) = facing.arcs {
-            a.cut(arc_a)?;
-            b.cut(arc_b)?;
+            a.cut_to_arc(arc_a)?;
+            b.cut_to_arc(arc_b)?;
         }
         Ok([a, b])
     }

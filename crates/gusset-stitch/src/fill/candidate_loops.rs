@@ -138,7 +138,7 @@ fn candidates_of_given_loops<'a>(
         let mut status = status_of_given_loop(&edges, &vertices)?;
         let measures = loop_measures(mesh, &vertices);
         if status == HoleStatus::Filled {
-            if edges.face_that_runs(vertices[0], vertices[1]).is_none() {
+            if edges.face_along(vertices[0], vertices[1]).is_none() {
                 vertices.reverse();
             }
             let steps = || vertices.iter().zip(vertices.iter().cycle().skip(1)).map(|(&u, &v)| (u, v));
@@ -165,7 +165,7 @@ fn status_of_given_loop(edges: &FreeEdges, vertices: &[u32]) -> Result<HoleStatu
     let steps = vertices.iter().zip(vertices.iter().cycle().skip(1));
     let (mut along, mut against) = (0, 0);
     for (&u, &v) in steps {
-        match (edges.face_that_runs(u, v), edges.face_that_runs(v, u)) {
+        match (edges.face_along(u, v), edges.face_along(v, u)) {
             (Some(_), _) => along += 1,
             (None, Some(_)) => against += 1,
             (None, None) => return Ok(HoleStatus::NotFree),

@@ -5,7 +5,7 @@ use super::fill_request::{Filled, Finish, Hole, HoleStatus, Options};
 use super::patch::list_attempts;
 use super::placed_patch::{MeshAndPatchVertices, PlacedPatch};
 use crate::repair::orient::{Outward, turn_outwards};
-use crate::stitch::{Quality, part_alone};
+use crate::stitch::{Quality, faces_as_mesh};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -62,7 +62,7 @@ pub(super) fn build_result(
     }
     let (holes, rims) = hole_reports(&made, candidates, options, &mut whole)?;
     job.step(0.1, "putting the pieces together")?;
-    let part = part_alone(&whole, mesh.faces().len(), &job.part(0.1, 0.3))?;
+    let part = faces_as_mesh(&whole, mesh.faces().len(), &job.part(0.1, 0.3))?;
     let outward = if options.plan_only { Outward::Keep } else { options.outward };
     let measured = if outward == Outward::Closed { 0.7 } else { 1.0 };
     let quality = Quality::measure(&whole, &part, &job.part(0.3, measured))?;

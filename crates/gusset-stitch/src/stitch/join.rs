@@ -1,11 +1,11 @@
 //! The stages of stitching in order, from two loops to one mesh.
 
-use super::combine::{append_piece, append_strip, strip_alone};
+use super::combine::{append_piece, append_strip, strip_as_mesh};
 use super::existing_edges::ExistingEdges;
 use super::extent::{Extent, select_arcs};
 use super::facing::{self, check_tolerance};
 use super::fair_and_check::fair_and_check;
-use super::loop_pairing::{nearest_pair, usable_rims};
+use super::loop_pairing::{remove_nearest_pair, usable_rims};
 use super::quality::Quality;
 use super::sense::{arcs_run_the_same_way, rims_disagree};
 use super::stitch_request::{IndexMap, Options, Orientation, Request, Stitch};
@@ -91,7 +91,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     // On one oriented surface the rims run in opposite directions. Reverse B, so that they run side
     // by side.
     if turn {
-        b.turn();
+        b.adapt_to_turned_surface();
     }
     b.reverse();
     let mean_side = || whole.mean_side() / unit;
@@ -106,7 +106,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     let weights = alloc::collect(strip.parents.iter().map(|parents| parents.weights))?;
     let rims = [std::mem::take(&mut strip.a.vertices), std::mem::take(&mut strip.b.vertices)];
     let (closed, meridians) = (strip.a.closed, std::mem::take(&mut strip.meridians));
-    let mut strip = strip_alone(&whole, strip, &attached.names)?;
+    let mut strip = strip_as_mesh(&whole, strip, &attached.names)?;
     let measured = if options.outward == Outward::Closed { 0.9 } else { 1.0 };
     let quality = Quality::measure(&whole, &strip, &job.part(0.75, measured))?;
     let mut turned_outwards = Vec::new();
@@ -153,8 +153,8 @@ fn cut_arcs(request: &Request<'_>, options: &Options, [a, b]: [&mut Rim; 2], uni
     // The round-off is determined by the coarser scalar type.
     let scalar = request.b.unwrap_or(request.a).positions().scalar().min(request.a.positions().scalar());
     if let Some([arc_a, arc_b]) = select_arcs(a, b, options.extent, &how, scalar, job)? {
-        a.cut(arc_a)?;
-        b.cut(arc_b)?;
+        a.cut_to_arc(arc_a)?;
+        b.cut_to_arc(arc_b)?;
     }
     Ok(())
 }
@@ -184,7 +184,7 @@ fn choose_rims(request: &Request<'_>, job: &Job<'_>) -> Result<Rims> {
     if request.loop_a.is_some() && request.loop_b.is_some() {
         return Ok(Rims { a: a.swap_remove(0), b: b.swap_remove(0), unit });
     }
-    let (a, b) = nearest_pair(a, b, request.b.is_none(), &job.part(0.8, 1.0))?;
+    let (a, b) = remove_nearest_pair(a, b, request.b.is_none(), &job.part(0.8, 1.0))?;
     Ok(Rims { a, b, unit })
 }
 

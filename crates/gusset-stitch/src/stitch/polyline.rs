@@ -6,7 +6,7 @@ use gusset_base::error::Result;
 
 /// Returns `count` points at equal arc lengths, including both ends of an open polyline. The
 /// polyline must have at least one point.
-pub(super) fn samples(points: &[DVec3], closed: bool, count: usize) -> Result<Vec<DVec3>> {
+pub(super) fn samples_by_arc_length(points: &[DVec3], closed: bool, count: usize) -> Result<Vec<DVec3>> {
     let n = points.len();
     let edges = if closed { n } else { n - 1 };
     let edge = |i: usize| points[i].distance(points[(i + 1) % n]);

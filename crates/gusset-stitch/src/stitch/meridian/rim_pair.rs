@@ -38,7 +38,7 @@ pub(crate) struct StepPenalty {
 
 impl RimPair<'_> {
     /// Returns true if faces along the rims are known.
-    pub(super) fn has_sides(&self) -> bool {
+    pub(super) fn has_faces_along_rims(&self) -> bool {
         self.sides.is_some_and(|sides| sides.iter().any(|side| side.iter().any(|&normal| normal != DVec3::ZERO)))
     }
 
@@ -62,7 +62,12 @@ impl RimPair<'_> {
 
 /// Returns lattice nodes in ascending order, with the ends of closed rims listed twice. The input
 /// `nodes` have i < N and j < M.
-pub(crate) fn forbidden_nodes(nodes: impl Iterator<Item = Pair>, n: u32, m: u32, closed: bool) -> Result<Vec<Pair>> {
+pub(crate) fn sorted_forbidden_nodes(
+    nodes: impl Iterator<Item = Pair>,
+    n: u32,
+    m: u32,
+    closed: bool,
+) -> Result<Vec<Pair>> {
     let mut all = Vec::new();
     for [i, j] in nodes {
         alloc::push(&mut all, [i, j])?;

@@ -7,14 +7,14 @@ use gusset_base::error::Result;
 use std::ops::{Range, RangeInclusive};
 
 /// A band of the lattice from (0, 0) to (N, M).
-pub(super) struct Band {
+pub(super) struct LatticeBand {
     low: Vec<u32>,
     high: Vec<u32>,
 }
 
-impl Band {
-    pub(super) fn full(n: usize, m: usize) -> Result<Self> {
-        Ok(Band { low: alloc::filled(0, n + 1)?, high: alloc::filled(m as u32, n + 1)? })
+impl LatticeBand {
+    pub(super) fn whole_lattice(n: usize, m: usize) -> Result<Self> {
+        Ok(LatticeBand { low: alloc::filled(0, n + 1)?, high: alloc::filled(m as u32, n + 1)? })
     }
 
     /// Creates the band of nodes within `width` rows and columns of a path from (0, 0) to (n, m).
@@ -30,7 +30,7 @@ impl Band {
         }
         // Both bounds are monotone: the least column within `width` rows belongs to the first of
         // these rows.
-        Ok(Band {
+        Ok(LatticeBand {
             low: alloc::collect((0..n + 1).map(|i| low[i.saturating_sub(width)].saturating_sub(width as u32)))?,
             high: alloc::collect((0..n + 1).map(|i| (high[n.min(i + width)] as usize + width).min(m) as u32))?,
         })
@@ -44,7 +44,7 @@ impl Band {
         self.high[self.last_row()] as usize
     }
 
-    pub(super) fn columns(&self, i: usize) -> RangeInclusive<usize> {
+    pub(super) fn columns_of_row(&self, i: usize) -> RangeInclusive<usize> {
         self.low[i] as usize..=self.high[i] as usize
     }
 
@@ -62,7 +62,7 @@ impl Band {
     }
 
     /// Adds all nodes within `width` rows and columns of the given nodes.
-    pub(super) fn widen(&mut self, nodes: &[Pair], width: usize) {
+    pub(super) fn widen_at_nodes(&mut self, nodes: &[Pair], width: usize) {
         let (n, m, w) = (self.last_row(), self.last_column(), width as u32);
         for &[i, j] in nodes {
             let rows = (i as usize).saturating_sub(width)..=n.min(i as usize + width);
@@ -80,30 +80,30 @@ impl Band {
     }
 
     /// Returns the number of nodes in row `i`.
-    pub(super) fn width(&self, i: usize) -> usize {
+    pub(super) fn row_width(&self, i: usize) -> usize {
         (self.high[i] - self.low[i]) as usize + 1
     }
 
     /// Divides the rows 1..=N into blocks with at most `nodes` nodes, or with one row.
-    pub(super) fn blocks(&self, nodes: usize) -> Result<Vec<Range<usize>>> {
+    pub(super) fn blocks_of_rows(&self, nodes: usize) -> Result<Vec<Range<usize>>> {
         let mut blocks: Vec<Range<usize>> = Vec::new();
         let mut room = 0;
         for i in 1..=self.last_row() {
             match blocks.last_mut() {
-                Some(block) if self.width(i) <= room => {
+                Some(block) if self.row_width(i) <= room => {
                     block.end = i + 1;
-                    room -= self.width(i);
+                    room -= self.row_width(i);
                 }
                 _ => {
                     alloc::push(&mut blocks, i..i + 1)?;
-                    room = nodes.saturating_sub(self.width(i));
+                    room = nodes.saturating_sub(self.row_width(i));
                 }
             }
         }
         Ok(blocks)
     }
 
-    pub(super) fn nodes(&self, rows: Range<usize>) -> usize {
-        rows.map(|i| self.width(i)).sum()
+    pub(super) fn node_count(&self, rows: Range<usize>) -> usize {
+        rows.map(|i| self.row_width(i)).sum()
     }
 }

@@ -12,21 +12,21 @@ use gusset_base::geom::triangle::double_area;
 use std::ops::Range;
 
 /// The points of a polyline, with one array per coordinate, so that loops vectorise.
-pub(super) struct Line {
+pub(super) struct PointArrays {
     x: Vec<f64>,
     y: Vec<f64>,
     z: Vec<f64>,
 }
 
-impl Line {
+impl PointArrays {
     pub(super) fn new(points: &[DVec3]) -> Result<Self> {
         let part = |k: usize| alloc::collect(points.iter().map(|p| p[k]));
-        Ok(Line { x: part(0)?, y: part(1)?, z: part(2)? })
+        Ok(PointArrays { x: part(0)?, y: part(1)?, z: part(2)? })
     }
 
     pub(super) fn zeros(len: usize) -> Result<Self> {
         let part = || alloc::filled(0.0, len);
-        Ok(Line { x: part()?, y: part()?, z: part()? })
+        Ok(PointArrays { x: part()?, y: part()?, z: part()? })
     }
 
     pub(super) fn len(&self) -> usize {
@@ -41,19 +41,19 @@ impl Line {
         [self.x[k], self.y[k], self.z[k]] = p.to_array();
     }
 
-    /// Returns the points of `range`, for [`point`].
-    pub(super) fn part(&self, range: Range<usize>) -> [&[f64]; 3] {
+    /// Returns the points of `range`, for [`point_of_slice`].
+    pub(super) fn slice(&self, range: Range<usize>) -> [&[f64]; 3] {
         [&self.x[range.clone()], &self.y[range.clone()], &self.z[range]]
     }
 
-    pub(super) fn part_mut(&mut self, range: Range<usize>) -> [&mut [f64]; 3] {
+    pub(super) fn slice_mut(&mut self, range: Range<usize>) -> [&mut [f64]; 3] {
         [&mut self.x[range.clone()], &mut self.y[range.clone()], &mut self.z[range]]
     }
 }
 
-/// Returns point `k` of a [`Line::part`].
+/// Returns point `k` of a [`PointArrays::slice`].
 #[inline(always)]
-pub(super) fn point([x, y, z]: [&[f64]; 3], k: usize) -> DVec3 {
+pub(super) fn point_of_slice([x, y, z]: [&[f64]; 3], k: usize) -> DVec3 {
     DVec3::new(x[k], y[k], z[k])
 }
 
@@ -74,7 +74,7 @@ impl StepCosts {
 
 /// A sum over the steps of a path, each independent of the others.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Metric {
+pub(super) enum StepMetric {
     /// Twice the area of the triangles, plus `tie_break_weight` times the sum of the meridians'
     /// squared lengths.
     Area { tie_break_weight: f64 },
@@ -84,26 +84,33 @@ pub(super) enum Metric {
     Quad,
 }
 
-impl Metric {
+impl StepMetric {
     /// Creates the area metric with a tie break. In the plane all strips without folds have equal
     /// area, and round-off would decide. On the paper's strip the squared lengths contribute 2^-32
     /// of the area.
     pub(super) fn area(a: &[DVec3], b: &[DVec3], paper: &[Pair]) -> Self {
         let area = strip_area(a, b, paper);
         let squared: f64 = paper.iter().map(|&[i, j]| a[i as usize].distance_squared(b[j as usize])).sum();
-        Metric::Area {
+        StepMetric::Area {
             tie_break_weight: if area > 0.0 && squared > 0.0 { 0.5f64.powi(32) * area / squared } else { 1.0 },
         }
     }
 
     /// Returns true if the path may step on both rims at once.
     pub(super) fn steps_on_both(self) -> bool {
-        self == Metric::Quad
+        self == StepMetric::Quad
     }
 
     /// Computes the costs of the steps into the nodes (i, j) for j in `range`. The loops are free
     /// of branches, so that they vectorise.
-    pub(super) fn measure(self, a: &[DVec3], b: &Line, i: usize, range: Range<usize>, steps: &mut StepCosts) {
+    pub(super) fn compute_step_costs(
+        self,
+        a: &[DVec3],
+        b: &PointArrays,
+        i: usize,
+        range: Range<usize>,
+        steps: &mut StepCosts,
+    ) {
         let (first, last) = (range.start, range.end - 1);
         let here = a[i];
         let [x, y, z] = [&b.x[first..=last], &b.y[first..=last], &b.z[first..=last]];
@@ -114,15 +121,15 @@ impl Metric {
             squared[j] = dx * dx + dy * dy + dz * dz;
         }
         let tie_break_weight = match self {
-            Metric::Area { tie_break_weight } => tie_break_weight,
-            Metric::Diagonal => {
+            StepMetric::Area { tie_break_weight } => tie_break_weight,
+            StepMetric::Diagonal => {
                 for j in 0..n {
                     step_a[j] = squared[j].sqrt();
                 }
                 step_b.copy_from_slice(step_a);
                 return;
             }
-            Metric::Quad => {
+            StepMetric::Quad => {
                 step_a.copy_from_slice(squared);
                 step_b.copy_from_slice(squared);
                 return;
@@ -152,11 +159,11 @@ impl Metric {
     pub(super) fn path_cost(self, a: &[DVec3], b: &[DVec3], pairs: &[Pair]) -> f64 {
         let squared = |&[i, j]: &Pair| a[i as usize].distance_squared(b[j as usize]);
         match self {
-            Metric::Area { tie_break_weight } => {
+            StepMetric::Area { tie_break_weight } => {
                 strip_area(a, b, pairs) + tie_break_weight * pairs[1..].iter().map(squared).sum::<f64>()
             }
-            Metric::Diagonal => pairs[1..].iter().map(|pair| squared(pair).sqrt()).sum(),
-            Metric::Quad => pairs[1..].iter().map(squared).sum(),
+            StepMetric::Diagonal => pairs[1..].iter().map(|pair| squared(pair).sqrt()).sum(),
+            StepMetric::Quad => pairs[1..].iter().map(squared).sum(),
         }
     }
 }

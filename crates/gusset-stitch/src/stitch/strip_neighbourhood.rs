@@ -14,14 +14,14 @@ const STAGE: &str = "looking for intersections";
 
 /// Triangles, and the face of each.
 #[derive(Default)]
-pub(super) struct Triangles {
+pub(super) struct FaceTriangles {
     pub(super) corners: Vec<[u32; 3]>,
     pub(super) faces: Vec<u32>,
 }
 
 /// The strip and its surroundings, numbered as in the result: old vertices and faces, then new
 /// ones.
-pub(super) struct Neighbourhood<'a> {
+pub(super) struct StripNeighbourhood<'a> {
     pub(super) whole: &'a Mesh,
     unit: f64,
     /// The number of old vertices.
@@ -37,7 +37,7 @@ pub(super) struct Neighbourhood<'a> {
     pub(super) points: Vec<DVec3>,
 }
 
-impl<'a> Neighbourhood<'a> {
+impl<'a> StripNeighbourhood<'a> {
     pub(super) fn new(whole: &'a Mesh, strip: &'a Strip, unit: f64, points: Vec<DVec3>) -> Result<Self> {
         let base = whole.positions.len() as u32;
         let (a, b) = (&strip.a.vertices, &strip.b.vertices);
@@ -57,11 +57,11 @@ impl<'a> Neighbourhood<'a> {
             ends.sort_unstable();
         }
         let corners = alloc::collect(strip.faces.corners.iter().map(name))?;
-        Ok(Neighbourhood { whole, unit, base, strip: corners, offsets: &strip.faces.offsets, rim, ends, points })
+        Ok(StripNeighbourhood { whole, unit, base, strip: corners, offsets: &strip.faces.offsets, rim, ends, points })
     }
 
     /// Rounds the new vertices to the scalar type of the result.
-    pub(super) fn round(&mut self) {
+    pub(super) fn round_new_vertices(&mut self) {
         if self.whole.positions.view().scalar() == Scalar::F32 {
             let unit = self.unit;
             self.points.iter_mut().for_each(|p| *p = (*p * unit).as_vec3().as_dvec3() / unit);
@@ -77,7 +77,7 @@ impl<'a> Neighbourhood<'a> {
 
     /// Adds the triangles of a face: a quad is split by its shorter diagonal, any other polygon as
     /// a fan from its first corner.
-    pub(super) fn split(&self, face: &[u32], number: u32, into: &mut Triangles) -> Result<()> {
+    pub(super) fn append_face_triangles(&self, face: &[u32], number: u32, into: &mut FaceTriangles) -> Result<()> {
         let squared = |p: usize, q: usize| self.position(face[p]).distance_squared(self.position(face[q]));
         let first = usize::from(face.len() == 4 && squared(0, 2) > squared(1, 3));
         let corner = |k: usize| face[(first + k) % face.len()];
@@ -88,28 +88,28 @@ impl<'a> Neighbourhood<'a> {
         Ok(())
     }
 
-    pub(super) fn strip_triangles(&self) -> Result<Triangles> {
-        let mut triangles = Triangles::default();
+    pub(super) fn strip_triangles(&self) -> Result<FaceTriangles> {
+        let mut triangles = FaceTriangles::default();
         for (face, number) in self.offsets.windows(2).zip(self.whole.face_count() as u32..) {
-            self.split(&self.strip[face[0] as usize..face[1] as usize], number, &mut triangles)?;
+            self.append_face_triangles(&self.strip[face[0] as usize..face[1] as usize], number, &mut triangles)?;
         }
         Ok(triangles)
     }
 
     /// Returns the old faces that `wanted` selects, as triangles.
-    pub(super) fn old_triangles(&self, wanted: impl Fn(&[u32]) -> bool, job: &Job<'_>) -> Result<Triangles> {
-        let mut triangles = Triangles::default();
+    pub(super) fn old_triangles(&self, wanted: impl Fn(&[u32]) -> bool, job: &Job<'_>) -> Result<FaceTriangles> {
+        let mut triangles = FaceTriangles::default();
         for (face, number) in self.whole.faces().zip(0..) {
             job.step_within(number as usize, STAGE)?;
             if wanted(face) {
-                self.split(face, number, &mut triangles)?;
+                self.append_face_triangles(face, number, &mut triangles)?;
             }
         }
         Ok(triangles)
     }
 
     /// Returns the old triangles whose boxes overlap the box of the strip, faired and `straight`.
-    pub(super) fn old_triangles_nearby(&self, straight: &[DVec3], job: &Job<'_>) -> Result<Triangles> {
+    pub(super) fn old_triangles_nearby(&self, straight: &[DVec3], job: &Job<'_>) -> Result<FaceTriangles> {
         let rims = self.strip.iter().filter(|&&v| v < self.base).map(|&v| self.position(v));
         let new = self.points.iter().chain(straight).copied();
         let Aabb { low, high } = Aabb::from_points(rims.chain(new));
@@ -123,7 +123,7 @@ impl<'a> Neighbourhood<'a> {
     }
 
     /// Returns the pairs of intersecting triangles, and the strip's triangles that they index.
-    pub(super) fn intersections(&self, old: &Triangles, job: &Job<'_>) -> Result<IntersectingTriangles> {
+    pub(super) fn find_intersections(&self, old: &FaceTriangles, job: &Job<'_>) -> Result<IntersectingTriangles> {
         let strip = self.strip_triangles()?;
         let soup = TriangleSoup { at: |v| self.position(v), new: &strip.corners, old: &old.corners };
         Ok(IntersectingTriangles { pairs: intersecting_pairs(&soup, job)?, strip })
@@ -131,7 +131,7 @@ impl<'a> Neighbourhood<'a> {
 
     /// Converts pairs of triangles to pairs of faces. The strip's face comes first, or the larger
     /// one if both belong to the strip. Each pair occurs once.
-    pub(super) fn faces(&self, old: &Triangles, found: &IntersectingTriangles) -> Result<Vec<[u32; 2]>> {
+    pub(super) fn pairs_of_faces(&self, old: &FaceTriangles, found: &IntersectingTriangles) -> Result<Vec<[u32; 2]>> {
         let face = |k: u32| match (k as usize).checked_sub(found.strip.faces.len()) {
             Some(k) => old.faces[k],
             None => found.strip.faces[k as usize],
@@ -150,5 +150,5 @@ pub(super) struct IntersectingTriangles {
     /// Numbers below the count of the strip's triangles belong to the strip, the others to the old
     /// triangles.
     pub(super) pairs: Vec<[u32; 2]>,
-    pub(super) strip: Triangles,
+    pub(super) strip: FaceTriangles,
 }

@@ -6,7 +6,7 @@
 //! bend. Along the rims the second triangle is the old face, if it is known.
 //!
 //! **Continuation** has two terms. The first is the sum of 2 sin(t / 2), with the weight
-//! [`RIM_WEIGHT`] along the rims. It does not depend on the edge's length, and is nearly linear in
+//! [`RIM_BEND_WEIGHT`] along the rims. It does not depend on the edge's length, and is nearly linear in
 //! t. So a surface may turn in one place rather than a little everywhere, as where the old faces
 //! continue across the gap. The second term is the mean square distance of the triangles from the
 //! likely old surface. A meridian from A_i to B_j has ends at the distances h and k from each
@@ -19,69 +19,69 @@
 //! A degenerate triangle counts as perpendicular to its neighbours. All loops over the nodes of a
 //! row are free of branches, so that they vectorise.
 
-use super::metric::{Line, StepCosts, point};
 use super::rim_pair::{Pair, RimPair};
+use super::step_metric::{PointArrays, StepCosts, point_of_slice};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use std::ops::Range;
 
 /// The weight of bends along the rims relative to bends across meridians, for
-/// [`Bends::continuation`].
-const RIM_WEIGHT: f64 = 4.0;
+/// [`StripBends::continuation`].
+const RIM_BEND_WEIGHT: f64 = 4.0;
 
-pub(super) struct Bends<'a> {
+pub(super) struct StripBends<'a> {
     a: &'a [DVec3],
-    b: Line,
+    b: PointArrays,
     /// The unit normals of the faces along the rims, 0 if unknown. The normal at `k` belongs to the
     /// edge that ends at place k.
-    sides: [Line; 2],
+    sides: [PointArrays; 2],
     /// Weight of the bends along the rims.
     rim_weight: f64,
     /// Weight of the sum of squared meridian lengths. It decides between strips of equal bend.
     tie_break_weight: f64,
-    continuation: Option<Tangents>,
+    continuation: Option<OldSurfaceNormals>,
 }
 
 /// The quantities for the likely old surface.
-struct Tangents {
+struct OldSurfaceNormals {
     /// The normals at the vertices of both rims.
-    normals: [Line; 2],
+    normals: [PointArrays; 2],
     /// The reciprocal of the mean edge of the rims.
     per_edge: f64,
 }
 
 /// The quantities of the steps into the nodes (i, j) of one row, by j.
-pub(super) struct Row {
+pub(super) struct StepRow {
     /// The unit normals of the triangles A_i A_i-1 B_j and A_i B_j-1 B_j; 0 for a missing or
     /// degenerate triangle.
-    normals: [Line; 2],
+    normals: [PointArrays; 2],
     areas: [Vec<f64>; 2],
     /// For each node, the squared bulge of its meridian. If bends are weighted by length, the
     /// length of its meridian.
     meridians: Vec<f64>,
 }
 
-impl Row {
+impl StepRow {
     pub(super) fn new(len: usize) -> Result<Self> {
         let zeros = || alloc::filled(0.0, len);
-        let normals = [Line::zeros(len)?, Line::zeros(len)?];
-        Ok(Row { normals, areas: [zeros()?, zeros()?], meridians: zeros()? })
+        let normals = [PointArrays::zeros(len)?, PointArrays::zeros(len)?];
+        Ok(StepRow { normals, areas: [zeros()?, zeros()?], meridians: zeros()? })
     }
 }
 
-impl<'a> Bends<'a> {
-    /// Minimises bends. For `tie_break_weight` see [`tie_break`].
-    pub(super) fn smooth(rims: &RimPair<'a>, tie_break_weight: f64) -> Result<Self> {
+impl<'a> StripBends<'a> {
+    /// Minimises bends. For `tie_break_weight` see [`weight_of_squared_lengths`].
+    pub(super) fn least_bends(rims: &RimPair<'a>, tie_break_weight: f64) -> Result<Self> {
         let &RimPair { a, b, sides, .. } = rims;
         let ends = |points: &[DVec3], side: Option<&[DVec3]>| {
-            let mut line = Line::zeros(points.len())?;
+            let mut line = PointArrays::zeros(points.len())?;
             (1..points.len()).zip(side.into_iter().flatten()).for_each(|(k, &normal)| line.set(k, normal));
             Ok(line)
         };
         let rim_weight = if sides.is_some() { 1.0 } else { 0.0 };
         let sides = [ends(a, sides.map(|sides| sides[0]))?, ends(b, sides.map(|sides| sides[1]))?];
-        Ok(Bends { a, b: Line::new(b)?, sides, rim_weight, tie_break_weight, continuation: None })
+        Ok(StripBends { a, b: PointArrays::new(b)?, sides, rim_weight, tie_break_weight, continuation: None })
     }
 
     /// Maximises the continuation of both surfaces.
@@ -91,40 +91,46 @@ impl<'a> Bends<'a> {
         let mean = (length(a) + length(b)) / (a.len() + b.len() - 2).max(1) as f64;
         let per_edge = if mean > 0.0 { 1.0 / mean } else { 0.0 };
         let normals = |points: &[DVec3], side: Option<&[DVec3]>| match side {
-            Some(side) => Line::new(&vertex_normals(side, points.len(), closed)?),
-            None => Line::zeros(points.len()),
+            Some(side) => PointArrays::new(&vertex_normals(side, points.len(), closed)?),
+            None => PointArrays::zeros(points.len()),
         };
         let normals = [normals(a, sides.map(|sides| sides[0]))?, normals(b, sides.map(|sides| sides[1]))?];
-        let least = Bends::smooth(rims, tie_break_weight * per_edge)?;
-        let rim_weight = RIM_WEIGHT * least.rim_weight;
-        Ok(Bends { rim_weight, continuation: Some(Tangents { normals, per_edge }), ..least })
+        let least = StripBends::least_bends(rims, tie_break_weight * per_edge)?;
+        let rim_weight = RIM_BEND_WEIGHT * least.rim_weight;
+        Ok(StripBends { rim_weight, continuation: Some(OldSurfaceNormals { normals, per_edge }), ..least })
     }
 
     /// Computes the costs of the steps into the nodes (i, j) for j in `range`: `steps[0]` for those
     /// that follow a step on A, and `steps[1]` for those that follow a step on B. Reads row i - 1
     /// from `rows[0]`, and writes row i to `rows[1]`.
-    pub(super) fn measure(&self, i: usize, range: Range<usize>, rows: [&mut Row; 2], steps: &mut [StepCosts; 2]) {
-        self.triangles(i, range.clone(), rows[1], &mut steps[0].squared);
+    pub(super) fn compute_row_costs(
+        &self,
+        i: usize,
+        range: Range<usize>,
+        rows: [&mut StepRow; 2],
+        steps: &mut [StepCosts; 2],
+    ) {
+        self.compute_triangles(i, range.clone(), rows[1], &mut steps[0].squared);
         match &self.continuation {
             Some(tangents) => {
-                tangents.bulges(self.a[i], &self.b, i, range.clone(), rows[1]);
-                self.steps::<true>(i, range, rows, steps);
+                tangents.compute_squared_bulges(self.a[i], &self.b, i, range.clone(), rows[1]);
+                self.compute_step_costs::<true>(i, range, rows, steps);
             }
-            None => self.steps::<false>(i, range, rows, steps),
+            None => self.compute_step_costs::<false>(i, range, rows, steps),
         }
     }
 
     /// Computes the triangles of row i, the meridians' lengths, and their squares.
-    fn triangles(&self, i: usize, range: Range<usize>, row: &mut Row, squared: &mut [f64]) {
+    fn compute_triangles(&self, i: usize, range: Range<usize>, row: &mut StepRow, squared: &mut [f64]) {
         let (here, back) = (self.a[i], self.a[i.saturating_sub(1)] - self.a[i]);
-        let b = self.b.part(range.clone());
+        let b = self.b.slice(range.clone());
         let [by_a, by_b] = &mut row.normals;
         let [area_a, area_b] = &mut row.areas;
-        let [x, y, z] = by_a.part_mut(range.clone());
+        let [x, y, z] = by_a.slice_mut(range.clone());
         let (area, squared) = (&mut area_a[range.clone()], &mut squared[range.clone()]);
         let length = &mut row.meridians[range.clone()];
         for j in 0..area.len() {
-            let across = point(b, j) - here;
+            let across = point_of_slice(b, j) - here;
             let double = back.cross(across);
             (area[j], squared[j]) = (0.5 * double.length(), across.length_squared());
             length[j] = squared[j].sqrt();
@@ -132,52 +138,53 @@ impl<'a> Bends<'a> {
         }
         // Steps on B start at j = 1.
         let (from, end) = (range.start.max(1), range.end);
-        let (before, b) = (self.b.part(from - 1..end - 1), self.b.part(from..end));
-        let [x, y, z] = by_b.part_mut(from..end);
+        let (before, b) = (self.b.slice(from - 1..end - 1), self.b.slice(from..end));
+        let [x, y, z] = by_b.slice_mut(from..end);
         let area = &mut area_b[from..end];
         for j in 0..area.len() {
-            let double = (point(before, j) - here).cross(point(b, j) - here);
+            let double = (point_of_slice(before, j) - here).cross(point_of_slice(b, j) - here);
             area[j] = 0.5 * double.length();
             [x[j], y[j], z[j]] = double.normalize_or_zero().to_array();
         }
     }
 
-    fn steps<const CONTINUES: bool>(
+    fn compute_step_costs<const CONTINUES: bool>(
         &self,
         i: usize,
         range: Range<usize>,
-        [before, now]: [&mut Row; 2],
+        [before, now]: [&mut StepRow; 2],
         [after_a, after_b]: &mut [StepCosts; 2],
     ) {
         let edge = self.a[i.saturating_sub(1)].distance(self.a[i]);
         let side = self.sides[0].get(i);
-        let steps = RowSteps {
-            normals: now.normals[0].part(range.clone()),
+        let steps = RimStepsOfRow {
+            normals: now.normals[0].slice(range.clone()),
             areas: &now.areas[0][range.clone()],
             meridians: [&before.meridians[range.clone()], &now.meridians[range.clone()]],
-            before: [0, 1].map(|k| before.normals[k].part(range.clone())),
+            before: [0, 1].map(|k| before.normals[k].slice(range.clone())),
             squared: &after_a.squared[range.clone()],
         };
         let costs = [&mut after_a.a[range.clone()], &mut after_b.a[range.clone()]];
-        steps.measure::<CONTINUES>(self, (i, range.start) == (1, 0), |_| (side, edge), costs);
+        steps.compute_costs::<CONTINUES>(self, (i, range.start) == (1, 0), |_| (side, edge), costs);
 
         let (from, end) = (range.start.max(1), range.end);
-        let (sides, b, next) = (self.sides[1].part(from..end), self.b.part(from - 1..end - 1), self.b.part(from..end));
-        let steps = RowSteps {
-            normals: now.normals[1].part(from..end),
+        let (sides, b, next) =
+            (self.sides[1].slice(from..end), self.b.slice(from - 1..end - 1), self.b.slice(from..end));
+        let steps = RimStepsOfRow {
+            normals: now.normals[1].slice(from..end),
             areas: &now.areas[1][from..end],
             meridians: [&now.meridians[from - 1..end - 1], &now.meridians[from..end]],
-            before: [0, 1].map(|k| now.normals[k].part(from - 1..end - 1)),
+            before: [0, 1].map(|k| now.normals[k].slice(from - 1..end - 1)),
             squared: &after_a.squared[from..end],
         };
         let costs = [&mut after_a.b[from..end], &mut after_b.b[from..end]];
-        let rim = |j: usize| (point(sides, j), point(b, j).distance(point(next, j)));
-        steps.measure::<CONTINUES>(self, (i, from) == (0, 1), rim, costs);
+        let rim = |j: usize| (point_of_slice(sides, j), point_of_slice(b, j).distance(point_of_slice(next, j)));
+        steps.compute_costs::<CONTINUES>(self, (i, from) == (0, 1), rim, costs);
     }
 
     /// Returns the bend across the meridian where a closed strip begins, between the last triangle
     /// and the first. `last_on_b` and `first_on_b` tell the rims of the last and the first step.
-    pub(super) fn across_seam(&self, last_on_b: bool, first_on_b: bool) -> f64 {
+    pub(super) fn bend_across_seam(&self, last_on_b: bool, first_on_b: bool) -> f64 {
         let (n, m) = (self.a.len() - 1, self.b.len() - 1);
         let b = |j: usize| self.b.get(j);
         let normal = |i: usize, j: usize, on_b: bool| {
@@ -194,16 +201,16 @@ impl<'a> Bends<'a> {
     }
 }
 
-impl Tangents {
+impl OldSurfaceNormals {
     /// Computes the squared bulges of the meridians in squared mean edges, and converts the areas
     /// to the same unit.
-    fn bulges(&self, here: DVec3, b: &Line, i: usize, range: Range<usize>, row: &mut Row) {
+    fn compute_squared_bulges(&self, here: DVec3, b: &PointArrays, i: usize, range: Range<usize>, row: &mut StepRow) {
         let square = self.per_edge * self.per_edge;
         let normal = self.normals[0].get(i);
-        let (normals, b) = (self.normals[1].part(range.clone()), b.part(range.clone()));
+        let (normals, b) = (self.normals[1].slice(range.clone()), b.slice(range.clone()));
         for (j, bulge) in row.meridians[range.clone()].iter_mut().enumerate() {
-            let across = point(b, j) - here;
-            let (h, k) = (normal.dot(across), point(normals, j).dot(across));
+            let across = point_of_slice(b, j) - here;
+            let (h, k) = (normal.dot(across), point_of_slice(normals, j).dot(across));
             *bulge = (h * h + k * k) / 32.0 * square;
         }
         row.areas.iter_mut().flat_map(|areas| &mut areas[range.clone()]).for_each(|area| *area *= square);
@@ -212,11 +219,11 @@ impl Tangents {
 
 /// For consecutive nodes of a row, the quantities of the step into each node along one rim. Element
 /// k of each array belongs to node k.
-struct RowSteps<'a> {
+struct RimStepsOfRow<'a> {
     /// The normals of the added triangles.
     normals: [&'a [f64]; 3],
     areas: &'a [f64],
-    /// The quantities of the meridians before and after each step; see [`Row`].
+    /// The quantities of the meridians before and after each step; see [`StepRow`].
     meridians: [&'a [f64]; 2],
     /// The normals of the preceding triangles, by steps on A and on B.
     before: [[&'a [f64]; 3]; 2],
@@ -224,14 +231,14 @@ struct RowSteps<'a> {
     squared: &'a [f64],
 }
 
-impl RowSteps<'_> {
+impl RimStepsOfRow<'_> {
     /// Computes the costs after a step on A, and after a step on B. `rim` returns the normal of the
     /// face along the rim and the length of the edge. If `begins`, the first step is the first of
     /// the path: no triangle precedes it, and the seam is added at the end.
     #[inline(always)]
-    fn measure<const CONTINUES: bool>(
+    fn compute_costs<const CONTINUES: bool>(
         &self,
-        bends: &Bends<'_>,
+        bends: &StripBends<'_>,
         begins: bool,
         rim: impl Fn(usize) -> (DVec3, f64),
         [after_a, after_b]: [&mut [f64]; 2],
@@ -241,16 +248,16 @@ impl RowSteps<'_> {
         let alone = |j: usize| {
             let (side, length) = rim(j);
             let along = tie_break_weight * self.squared[j]
-                + rim_weight * bend_between_normals::<CONTINUES>(point(self.normals, j), side, length);
+                + rim_weight * bend_between_normals::<CONTINUES>(point_of_slice(self.normals, j), side, length);
             if !CONTINUES {
                 return along;
             }
             along + self.areas[j] * ((to[j] + from[j] + (to[j] * from[j]).sqrt()) / 3.0)
         };
         for j in 0..after_a.len() {
-            let (normal, alone) = (point(self.normals, j), alone(j));
-            after_a[j] = alone + bend_between_normals::<CONTINUES>(normal, point(self.before[0], j), from[j]);
-            after_b[j] = alone + bend_between_normals::<CONTINUES>(normal, point(self.before[1], j), from[j]);
+            let (normal, alone) = (point_of_slice(self.normals, j), alone(j));
+            after_a[j] = alone + bend_between_normals::<CONTINUES>(normal, point_of_slice(self.before[0], j), from[j]);
+            after_b[j] = alone + bend_between_normals::<CONTINUES>(normal, point_of_slice(self.before[1], j), from[j]);
         }
         if begins && let ([a, ..], [b, ..]) = (after_a, after_b) {
             (*a, *b) = (alone(0), alone(0));
@@ -279,7 +286,7 @@ fn vertex_normals(sides: &[DVec3], points: usize, closed: bool) -> Result<Vec<DV
 
 /// Returns a weight for the meridians' squared lengths. In the plane all strips have equal bends,
 /// and round-off would decide. On the paper's strip this term is 2^-20 of the meridians' lengths.
-pub(super) fn tie_break(rims: &RimPair<'_>, paper: &[Pair]) -> f64 {
+pub(super) fn weight_of_squared_lengths(rims: &RimPair<'_>, paper: &[Pair]) -> f64 {
     let squared = |&[i, j]: &Pair| rims.a[i as usize].distance_squared(rims.b[j as usize]);
     let (lengths, squares) =
         paper.iter().map(squared).fold((0.0, 0.0), |(lengths, squares), s| (lengths + s.sqrt(), squares + s));

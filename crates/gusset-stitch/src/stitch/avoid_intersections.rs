@@ -8,9 +8,9 @@
 
 use super::existing_edges::ExistingEdges;
 use super::meridian::{Meridians, Pair, StepPenalty};
-use super::neighbourhood::{IntersectingTriangles, Neighbourhood};
 use super::stitch_request::Options;
-use super::strip::{Strip, from_given_start, meridians_near_path};
+use super::strip::{Strip, meridians_from_given_start, meridians_near_path};
+use super::strip_neighbourhood::{IntersectingTriangles, StripNeighbourhood};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
@@ -18,19 +18,19 @@ use gusset_base::sort;
 use gusset_mesh::Mesh;
 
 /// The measures to try, in order.
-const MEASURES: [Meridians; 3] = [Meridians::Continuation, Meridians::MinArea, Meridians::MinDiagonal];
+const MERIDIAN_MEASURES_TO_TRY: [Meridians; 3] = [Meridians::Continuation, Meridians::MinArea, Meridians::MinDiagonal];
 
 /// Number of strips to try for each measure.
-const ROUNDS: usize = 12;
+const MAX_STRIPS_PER_MEASURE: usize = 12;
 
 /// The penalty of a step for an intersection, in mean steps; doubled for an intersection with an
 /// old face.
-const PENALTY: f64 = 4.0;
+const PENALTY_MEAN_STEPS: f64 = 4.0;
 
 /// Looks for intersecting faces of a strip without rows. If there are any, searches for another
 /// strip. Returns the remaining pairs of faces; see
 /// [`Stitch::intersections`](super::Stitch::intersections).
-pub(super) fn avoid_cuts(
+pub(super) fn search_strip_without_intersections(
     whole: &Mesh,
     strip: &mut Strip,
     existing: &ExistingEdges,
@@ -38,33 +38,34 @@ pub(super) fn avoid_cuts(
     options: &Options,
     job: &Job<'_>,
 ) -> Result<Vec<[u32; 2]>> {
-    let old = Neighbourhood::new(whole, strip, unit, Vec::new())?.old_triangles_nearby(&[], job)?;
-    let test =
-        |strip: &Strip, job: &Job<'_>| Neighbourhood::new(whole, strip, unit, Vec::new())?.intersections(&old, job);
+    let old = StripNeighbourhood::new(whole, strip, unit, Vec::new())?.old_triangles_nearby(&[], job)?;
+    let test = |strip: &Strip, job: &Job<'_>| {
+        StripNeighbourhood::new(whole, strip, unit, Vec::new())?.find_intersections(&old, job)
+    };
     let mut best = test(strip, &job.part(0.0, 0.1))?;
     if !best.pairs.is_empty() {
-        start_far_from_cuts(strip, &best)?;
+        start_far_from_intersections(strip, &best)?;
         let mut best_meridians = alloc::copied(&strip.meridians)?;
         // The start has moved, and the faces are numbered from the start.
         strip.set_meridians(alloc::copied(&best_meridians)?, existing, options)?;
         best = test(strip, &job.part(0.1, 0.15))?;
-        for (k, measure) in MEASURES.into_iter().enumerate() {
+        for (k, measure) in MERIDIAN_MEASURES_TO_TRY.into_iter().enumerate() {
             let part = job.part(0.15 + 0.25 * k as f64, 0.4 + 0.25 * k as f64);
             let how = Options { meridians: measure, ..*options };
             let mut search = AvoidanceSearch { strip, existing, options: &how, test: &test };
-            search.run(&mut best, &mut best_meridians, &part)?;
+            search.try_strips(&mut best, &mut best_meridians, &part)?;
             if best.pairs.is_empty() {
                 break;
             }
         }
         strip.set_meridians(best_meridians, existing, options)?;
     }
-    Neighbourhood::new(whole, strip, unit, Vec::new())?.faces(&old, &best)
+    StripNeighbourhood::new(whole, strip, unit, Vec::new())?.pairs_of_faces(&old, &best)
 }
 
 /// Rotates closed rims so that the first meridian, which stays fixed, is far from intersections: in
 /// the middle of the longest run of triangles that do not intersect.
-fn start_far_from_cuts(strip: &mut Strip, found: &IntersectingTriangles) -> Result<()> {
+fn start_far_from_intersections(strip: &mut Strip, found: &IntersectingTriangles) -> Result<()> {
     if !strip.a.closed {
         return Ok(());
     }
@@ -79,8 +80,8 @@ fn start_far_from_cuts(strip: &mut Strip, found: &IntersectingTriangles) -> Resu
     let first = (after + length.div_ceil(2)) % count;
     let [n, m] = strip.meridians[count];
     let [i, j] = strip.meridians[first];
-    strip.a.start_at((i % n) as usize);
-    strip.b.start_at((j % m) as usize);
+    strip.a.rotate_to_start_at((i % n) as usize);
+    strip.b.rotate_to_start_at((j % m) as usize);
     strip.meridians.pop();
     strip.meridians.rotate_left(first);
     strip.meridians.iter_mut().for_each(|pair| *pair = [(pair[0] + n - i) % n, (pair[1] + m - j) % m]);
@@ -107,24 +108,26 @@ struct AvoidanceSearch<'a, T> {
 
 impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> AvoidanceSearch<'_, T> {
     /// Tries strips until one is free of intersections, or no other strip is left. Keeps the best.
-    fn run(&mut self, best: &mut IntersectingTriangles, kept: &mut Vec<Pair>, job: &Job<'_>) -> Result<()> {
+    fn try_strips(&mut self, best: &mut IntersectingTriangles, kept: &mut Vec<Pair>, job: &Job<'_>) -> Result<()> {
         let Some(first) =
-            from_given_start(&self.strip.a, &self.strip.b, self.existing, self.options, &job.part(0.0, 0.1))?
+            meridians_from_given_start(&self.strip.a, &self.strip.b, self.existing, self.options, &job.part(0.0, 0.1))?
         else {
             return Ok(());
         };
-        let unit = PENALTY * first.cost / first.pairs.len() as f64;
+        let unit = PENALTY_MEAN_STEPS * first.cost / first.pairs.len() as f64;
         let mut penalties: Vec<StepPenalty> = Vec::new();
         let mut path = first.pairs;
-        for round in 0..ROUNDS {
-            let part =
-                job.part(0.1 + 0.9 * round as f64 / ROUNDS as f64, 0.1 + 0.9 * (round + 1) as f64 / ROUNDS as f64);
+        for round in 0..MAX_STRIPS_PER_MEASURE {
+            let part = job.part(
+                0.1 + 0.9 * round as f64 / MAX_STRIPS_PER_MEASURE as f64,
+                0.1 + 0.9 * (round + 1) as f64 / MAX_STRIPS_PER_MEASURE as f64,
+            );
             match self.strip.set_meridians(alloc::copied(&path)?, self.existing, self.options) {
                 Err(Error::NoStrip { .. }) => return Ok(()),
                 other => other?,
             }
             let found = (self.test)(self.strip, &part.part(0.0, 0.6))?;
-            self.penalise(&path, &found, unit, &mut penalties)?;
+            self.penalise_intersecting_steps(&path, &found, unit, &mut penalties)?;
             let is_free = found.pairs.is_empty();
             if found.pairs.len() < best.pairs.len() {
                 (*best, *kept) = (found, alloc::copied(&path)?);
@@ -150,7 +153,7 @@ impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> AvoidanceSearch<'
     }
 
     /// Adds penalties to the steps whose triangles intersect.
-    fn penalise(
+    fn penalise_intersecting_steps(
         &self,
         path: &[Pair],
         found: &IntersectingTriangles,

@@ -15,52 +15,52 @@
 //! The search stores the cheapest path to each node in each state, and is exact. O(8 N M) time and
 //! memory in the band.
 
-use super::band::Band;
-use super::bend::{Bends, Row};
-use super::metric::{Line, Metric, StepCosts};
+use super::lattice_band::LatticeBand;
 use super::rim_pair::{Pair, RimPair, STAGE};
+use super::step_metric::{PointArrays, StepCosts, StepMetric};
+use super::strip_bends::{StepRow, StripBends};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use std::ops::Range;
 
 /// Bit of a state: the last step advanced along rim B. Set only if bends are minimised.
-const LAST_B: usize = 1;
+const LAST_STEP_ON_B: usize = 1;
 /// The path has had a step on A inside B.
-const WITHIN_B: usize = 2;
+const HAS_STEP_INSIDE_B: usize = 2;
 /// The path has had a step on B inside A.
-const WITHIN_A: usize = 4;
+const HAS_STEP_INSIDE_A: usize = 4;
 
 /// Number of states for simple paths.
-const ALL_STATES: usize = 8;
+const SIMPLE_PATH_STATES: usize = 8;
 /// Number of states for all paths, which record only the rim of the last step.
 const LAST_STEP_STATES: usize = 2;
 
 /// Nodes between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 16;
+const NODES_PER_REPORT: usize = 1 << 16;
 
 #[derive(Clone, Copy, PartialEq)]
-enum Step {
+enum LatticeStep {
     A,
     B,
     Both,
 }
 
 /// The cost of a path.
-pub(super) enum Cost<'a> {
+pub(super) enum PathCost<'a> {
     /// The sum over its steps.
-    StepCosts(Metric),
+    StepCosts(StepMetric),
     /// The sum of bends.
-    Bends(&'a Bends<'a>),
+    Bends(&'a StripBends<'a>),
 }
 
-/// Returns the bits that a step into (i, j) sets. `LAST_B` is reset with each step.
-fn advance(rims: &RimPair<'_>, by: Step, i: usize, j: usize) -> usize {
+/// Returns the bits that a step into (i, j) sets. `LAST_STEP_ON_B` is reset with each step.
+fn state_bits_of_step(rims: &RimPair<'_>, by: LatticeStep, i: usize, j: usize) -> usize {
     let (n, m) = (rims.a.len() - 1, rims.b.len() - 1);
-    let (i_before, j_before) = (i - usize::from(by != Step::B), j - usize::from(by != Step::A));
-    let within_b = by != Step::B && j_before < m && j > 0;
-    let within_a = by != Step::A && i_before < n && i > 0;
-    (usize::from(within_b) * WITHIN_B) | (usize::from(within_a) * WITHIN_A)
+    let (i_before, j_before) = (i - usize::from(by != LatticeStep::B), j - usize::from(by != LatticeStep::A));
+    let within_b = by != LatticeStep::B && j_before < m && j > 0;
+    let within_a = by != LatticeStep::A && i_before < n && i > 0;
+    (usize::from(within_b) * HAS_STEP_INSIDE_B) | (usize::from(within_a) * HAS_STEP_INSIDE_A)
 }
 
 /// Returns true if the path does not repeat a meridian. Paths between open rims never do.
@@ -69,13 +69,13 @@ pub(super) fn is_simple(rims: &RimPair<'_>, path: &[Pair]) -> bool {
     for step in path.windows(2) {
         let ([i, j], [i2, j2]) = (step[0], step[1]);
         let by = match (i == i2, j == j2) {
-            (true, _) => Step::B,
-            (_, true) => Step::A,
-            _ => Step::Both,
+            (true, _) => LatticeStep::B,
+            (_, true) => LatticeStep::A,
+            _ => LatticeStep::Both,
         };
-        state |= advance(rims, by, i2 as usize, j2 as usize);
+        state |= state_bits_of_step(rims, by, i2 as usize, j2 as usize);
     }
-    !rims.closed || state == WITHIN_A | WITHIN_B
+    !rims.closed || state == HAS_STEP_INSIDE_A | HAS_STEP_INSIDE_B
 }
 
 /// Returns the cheapest path within `band` and its cost; `None` if there is none. With `simple`,
@@ -87,28 +87,28 @@ pub(super) fn is_simple(rims: &RimPair<'_>, path: &[Pair]) -> bool {
 /// node and state.
 pub(super) fn cheapest_path(
     rims: &RimPair<'_>,
-    cost: &Cost<'_>,
-    band: &Band,
+    cost: &PathCost<'_>,
+    band: &LatticeBand,
     simple: bool,
     first: Option<Pair>,
     job: &Job<'_>,
 ) -> Result<Option<(f64, Vec<Pair>)>> {
     match simple && rims.closed {
-        true => StateSearch::<ALL_STATES>::new(rims, cost, band)?.cheapest_path(first, job),
+        true => StateSearch::<SIMPLE_PATH_STATES>::new(rims, cost, band)?.cheapest_path(first, job),
         false => StateSearch::<LAST_STEP_STATES>::new(rims, cost, band)?.cheapest_path(first, job),
     }
 }
 
 struct StateSearch<'a, const STATES: usize> {
     rims: &'a RimPair<'a>,
-    cost: &'a Cost<'a>,
-    band: &'a Band,
-    line: Line,
-    /// The costs of the steps into the nodes of the current row. With [`Cost::Bends`], entry 0
+    cost: &'a PathCost<'a>,
+    band: &'a LatticeBand,
+    line: PointArrays,
+    /// The costs of the steps into the nodes of the current row. With [`PathCost::Bends`], entry 0
     /// holds after a step on A and entry 1 after a step on B. Otherwise entry 0 holds for both.
     steps: [StepCosts; 2],
     /// Row i of the triangles is `triangles[i % 2]`.
-    triangles: [Row; 2],
+    triangles: [StepRow; 2],
     /// The least costs of the nodes of one row.
     row: Vec<[f64; STATES]>,
     /// For each node and state, the previous state plus 8 times the step (0 for A, 1 for B, 2 for
@@ -119,37 +119,37 @@ struct StateSearch<'a, const STATES: usize> {
 impl<'a, const STATES: usize> StateSearch<'a, STATES> {
     const UNREACHABLE: [f64; STATES] = [f64::INFINITY; STATES];
 
-    fn new(rims: &'a RimPair<'a>, cost: &'a Cost<'a>, band: &'a Band) -> Result<Self> {
+    fn new(rims: &'a RimPair<'a>, cost: &'a PathCost<'a>, band: &'a LatticeBand) -> Result<Self> {
         let (n, m) = (band.last_row(), band.last_column());
-        let bend_columns = if matches!(cost, Cost::Bends(_)) { m + 1 } else { 0 };
+        let bend_columns = if matches!(cost, PathCost::Bends(_)) { m + 1 } else { 0 };
         Ok(StateSearch {
             rims,
             cost,
             band,
-            line: Line::new(rims.b)?,
+            line: PointArrays::new(rims.b)?,
             steps: [StepCosts::with_len(m + 1)?, StepCosts::with_len(m + 1)?],
-            triangles: [Row::new(bend_columns)?, Row::new(bend_columns)?],
+            triangles: [StepRow::new(bend_columns)?, StepRow::new(bend_columns)?],
             row: alloc::filled(Self::UNREACHABLE, m + 1)?,
-            arrivals: alloc::filled([0u8; STATES], band.nodes(0..n + 1))?,
+            arrivals: alloc::filled([0u8; STATES], band.node_count(0..n + 1))?,
         })
     }
 
     /// See [`cheapest_path`].
     fn cheapest_path(&mut self, first: Option<Pair>, job: &Job<'_>) -> Result<Option<(f64, Vec<Pair>)>> {
-        let firsts: &[Option<Step>] = match (self.cost, first) {
-            (Cost::Bends(_), None) if self.rims.closed => &[Some(Step::A), Some(Step::B)],
-            (Cost::Bends(_), Some([1, 0])) if self.rims.closed => &[Some(Step::A)],
-            (Cost::Bends(_), Some(_)) if self.rims.closed => &[Some(Step::B)],
+        let firsts: &[Option<LatticeStep>] = match (self.cost, first) {
+            (PathCost::Bends(_), None) if self.rims.closed => &[Some(LatticeStep::A), Some(LatticeStep::B)],
+            (PathCost::Bends(_), Some([1, 0])) if self.rims.closed => &[Some(LatticeStep::A)],
+            (PathCost::Bends(_), Some(_)) if self.rims.closed => &[Some(LatticeStep::B)],
             _ => &[None],
         };
-        let simple = WITHIN_A | WITHIN_B;
+        let simple = HAS_STEP_INSIDE_A | HAS_STEP_INSIDE_B;
         let mut best: Option<(f64, Vec<Pair>)> = None;
         for (k, &first) in firsts.iter().enumerate() {
-            self.run(first, &job.share(k, firsts.len()))?;
+            self.fill_table(first, &job.share(k, firsts.len()))?;
             for state in (0..STATES).filter(|state| STATES == LAST_STEP_STATES || state & simple == simple) {
                 let mut total = self.row[self.band.last_column()][state];
-                if let (Cost::Bends(bends), Some(first)) = (self.cost, first) {
-                    total += bends.across_seam(state & LAST_B > 0, first == Step::B);
+                if let (PathCost::Bends(bends), Some(first)) = (self.cost, first) {
+                    total += bends.bend_across_seam(state & LAST_STEP_ON_B > 0, first == LatticeStep::B);
                 }
                 if total < best.as_ref().map_or(f64::INFINITY, |&(least, _)| least) {
                     best = Some((total, self.backtrack(state)?));
@@ -160,20 +160,20 @@ impl<'a, const STATES: usize> StateSearch<'a, STATES> {
     }
 
     /// Fills the table. If given, `first` is the kind of the first step.
-    fn run(&mut self, first: Option<Step>, job: &Job<'_>) -> Result<()> {
+    fn fill_table(&mut self, first: Option<LatticeStep>, job: &Job<'_>) -> Result<()> {
         self.row.fill(Self::UNREACHABLE);
         let mut start = 0;
         let mut reported = 0;
         for i in 0..=self.band.last_row() {
-            let (low, high) = self.band.columns(i).into_inner();
-            self.measure(i, low..high + 1, first);
+            let (low, high) = self.band.columns_of_row(i).into_inner();
+            self.measure_row_steps(i, low..high + 1, first);
             match self.cost {
-                Cost::Bends(_) => self.next_row::<true>(i, low..high + 1, start),
-                Cost::StepCosts(_) => self.next_row::<false>(i, low..high + 1, start),
+                PathCost::Bends(_) => self.compute_next_row::<true>(i, low..high + 1, start),
+                PathCost::StepCosts(_) => self.compute_next_row::<false>(i, low..high + 1, start),
             }
-            start += self.band.width(i);
-            if start / REPORT_INTERVAL > reported {
-                reported = start / REPORT_INTERVAL;
+            start += self.band.row_width(i);
+            if start / NODES_PER_REPORT > reported {
+                reported = start / NODES_PER_REPORT;
                 job.step(i as f64 / self.band.last_row() as f64, STAGE)?;
             }
         }
@@ -181,12 +181,14 @@ impl<'a, const STATES: usize> StateSearch<'a, STATES> {
     }
 
     /// Computes the costs of the steps into row i, with penalties; infinite for forbidden steps.
-    fn measure(&mut self, i: usize, columns: Range<usize>, first: Option<Step>) {
+    fn measure_row_steps(&mut self, i: usize, columns: Range<usize>, first: Option<LatticeStep>) {
         let [even, odd] = &mut self.triangles;
         let rows = if i.is_multiple_of(2) { [odd, even] } else { [even, odd] };
         match self.cost {
-            Cost::StepCosts(metric) => metric.measure(self.rims.a, &self.line, i, columns, &mut self.steps[0]),
-            Cost::Bends(bends) => bends.measure(i, columns, rows, &mut self.steps),
+            PathCost::StepCosts(metric) => {
+                metric.compute_step_costs(self.rims.a, &self.line, i, columns, &mut self.steps[0])
+            }
+            PathCost::Bends(bends) => bends.compute_row_costs(i, columns, rows, &mut self.steps),
         }
         for steps in &mut self.steps {
             for penalty in self.rims.penalties_in_row(i) {
@@ -197,18 +199,18 @@ impl<'a, const STATES: usize> StateSearch<'a, STATES> {
                 (steps.a[j as usize], steps.b[j as usize]) = (f64::INFINITY, f64::INFINITY);
             }
             match first {
-                Some(Step::B) if i == 1 => steps.a[0] = f64::INFINITY,
-                Some(Step::A) if i == 0 && self.band.last_column() > 0 => steps.b[1] = f64::INFINITY,
+                Some(LatticeStep::B) if i == 1 => steps.a[0] = f64::INFINITY,
+                Some(LatticeStep::A) if i == 0 && self.band.last_column() > 0 => steps.b[1] = f64::INFINITY,
                 _ => {}
             }
         }
     }
 
     /// Replaces the costs of row i - 1 by the costs of row i, whose arrivals begin at `start`.
-    fn next_row<const BENDS: bool>(&mut self, i: usize, columns: Range<usize>, start: usize) {
-        let both = matches!(self.cost, Cost::StepCosts(metric) if metric.steps_on_both());
+    fn compute_next_row<const BENDS: bool>(&mut self, i: usize, columns: Range<usize>, start: usize) {
+        let both = matches!(self.cost, PathCost::StepCosts(metric) if metric.steps_on_both());
         let low = columns.start;
-        let shifted = i > 0 && low > *self.band.columns(i - 1).start();
+        let shifted = i > 0 && low > *self.band.columns_of_row(i - 1).start();
         let mut before = if shifted { self.row[low - 1] } else { Self::UNREACHABLE };
         let mut left = Self::UNREACHABLE;
         let on_a = [0, 1].map(|k| &self.steps[k].a[columns.clone()]);
@@ -218,26 +220,26 @@ impl<'a, const STATES: usize> StateSearch<'a, STATES> {
         for k in 0..row.len() {
             let j = low + k;
             let (mut here, mut how) = (Self::UNREACHABLE, [0u8; STATES]);
-            let mut step = |by: Step, costs: &[f64; STATES], steps: [f64; 2]| {
-                let within = if STATES == LAST_STEP_STATES { 0 } else { advance(self.rims, by, i, j) };
-                let last = if BENDS && by == Step::B { LAST_B } else { 0 };
+            let mut step = |by: LatticeStep, costs: &[f64; STATES], steps: [f64; 2]| {
+                let within = if STATES == LAST_STEP_STATES { 0 } else { state_bits_of_step(self.rims, by, i, j) };
+                let last = if BENDS && by == LatticeStep::B { LAST_STEP_ON_B } else { 0 };
                 for state in (0..STATES).step_by(if BENDS { 1 } else { 2 }) {
-                    let total = costs[state] + steps[state & LAST_B];
-                    let to = (state & !LAST_B) | last | within;
+                    let total = costs[state] + steps[state & LAST_STEP_ON_B];
+                    let to = (state & !LAST_STEP_ON_B) | last | within;
                     if total < here[to] {
-                        (here[to], how[to]) = (total, (state + ALL_STATES * by as usize) as u8);
+                        (here[to], how[to]) = (total, (state + SIMPLE_PATH_STATES * by as usize) as u8);
                     }
                 }
             };
             // Entry j still belongs to row i - 1, if it is within that row's band.
             if i > 0 {
-                step(Step::A, &row[k], [on_a[0][k], on_a[1][k]]);
+                step(LatticeStep::A, &row[k], [on_a[0][k], on_a[1][k]]);
             }
             if j > 0 {
-                step(Step::B, &left, [on_b[0][k], on_b[1][k]]);
+                step(LatticeStep::B, &left, [on_b[0][k], on_b[1][k]]);
             }
             if both && i > 0 && j > 0 {
-                step(Step::Both, &before, [on_a[0][k]; 2]);
+                step(LatticeStep::Both, &before, [on_a[0][k]; 2]);
             }
             if (i, j) == (0, 0) && !self.rims.is_forbidden([0, 0]) {
                 here[0] = 0.0;
@@ -252,16 +254,16 @@ impl<'a, const STATES: usize> StateSearch<'a, STATES> {
     /// Returns the path to (N, M) in `state`.
     fn backtrack(&self, mut state: usize) -> Result<Vec<Pair>> {
         let (mut i, mut j) = (self.band.last_row(), self.band.last_column());
-        let mut start = self.band.nodes(0..i);
+        let mut start = self.band.node_count(0..i);
         let mut path = alloc::with_capacity(i + j + 1)?;
         path.push([i as u32, j as u32]);
         while (i, j) != (0, 0) {
-            let how = usize::from(self.arrivals[start + j - self.band.columns(i).start()][state]);
-            state = how % ALL_STATES;
-            j -= usize::from(how / ALL_STATES > 0);
-            if how / ALL_STATES != 1 {
+            let how = usize::from(self.arrivals[start + j - self.band.columns_of_row(i).start()][state]);
+            state = how % SIMPLE_PATH_STATES;
+            j -= usize::from(how / SIMPLE_PATH_STATES > 0);
+            if how / SIMPLE_PATH_STATES != 1 {
                 i -= 1;
-                start -= self.band.width(i);
+                start -= self.band.row_width(i);
             }
             path.push([i as u32, j as u32]);
         }
