@@ -60,8 +60,8 @@ pub fn empty_with_room<'m, 'a: 'm>(
     Ok(Mesh::new(positions, face_offsets, alloc::with_capacity(counts[2] as usize)?))
 }
 
-/// Appends a piece to a mesh that has room for it. `must_flip` selects the faces to flip; a flipped face
-/// keeps its first corner.
+/// Appends a piece to a mesh that has room for it. `must_flip` selects the faces to flip; a flipped
+/// face keeps its first corner.
 pub fn append(
     whole: &mut Mesh,
     piece: &MeshView<'_>,

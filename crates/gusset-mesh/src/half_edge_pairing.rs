@@ -41,7 +41,8 @@ const MAX_UNREPORTED_BUCKET: usize = 1 << 16;
 
 /// The pairing of half-edges.
 pub struct Topology {
-    /// Per half-edge: its partner, [`FREE_EDGE_MARK`], [`NON_MANIFOLD_EDGE_MARK`], or itself if it is ignored.
+    /// Per half-edge: its partner, [`FREE_EDGE_MARK`], [`NON_MANIFOLD_EDGE_MARK`], or itself if it
+    /// is ignored.
     pub(super) mate: Vec<u32>,
     /// Per vertex: the number of half-edges that start there, without ignored ones.
     pub(super) corner_count: Vec<u32>,

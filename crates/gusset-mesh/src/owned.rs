@@ -158,7 +158,7 @@ impl Mesh {
     }
 
     /// Returns the mean length of the faces' sides; infinite if all lengths are 0.
-    pub fn mean_side(&self) -> f64 {
+    pub fn mean_side_length(&self) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0);
         for face in self.faces() {
             for (k, &u) in face.iter().enumerate() {

@@ -5,7 +5,7 @@ use super::alignment_scene::AlignmentScene;
 use super::assess::{MAX_NEAR_SPACINGS, MAX_ON_SURFACE_SPACINGS, assess_alignment};
 use super::centred_piece::CentredPiece;
 use super::pose::Pose;
-use super::principal_axes::align_axes;
+use super::principal_axes::align_principal_axes;
 use super::rim_features::align_matching_rims;
 use super::sampled_piece::SampledPiece;
 use super::sampled_rim::{SampledRim, common_sampling_step};
@@ -56,7 +56,7 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
     for (k, piece) in pieces.iter().enumerate() {
         scans.push(CentredPiece::new(piece, unit, None, &prepare.share(k, pieces.len()))?);
     }
-    let trees = alloc::try_collect(scans.iter().map(|scan| scan.tree(&prepare.part(1.0, 1.0))))?;
+    let trees = alloc::try_collect(scans.iter().map(|scan| scan.build_point_tree(&prepare.part(1.0, 1.0))))?;
     let count = if options.samples == 0 { DEFAULT_SAMPLES_PER_PIECE } else { options.samples } as usize;
     let samples =
         alloc::try_collect(scans.iter().zip(&trees).map(|(scan, tree)| scan.choose_samples(tree.order(), count)))?;
@@ -90,7 +90,7 @@ pub fn align(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> R
             Pose { rotation: pose.rotation, translation: pose.point(scan.centre * unit) / unit - origin }
                 .with_orthonormal_axes()
         }))?,
-        Start::PrincipalAxes => align_axes(&scene, &started)?,
+        Start::PrincipalAxes => align_principal_axes(&scene, &started)?,
         Start::Rims => align_matching_rims(&scene, &started)?,
     };
     let rounds = if options.max_rounds == 0 { DEFAULT_MAX_ROUNDS } else { options.max_rounds };

@@ -21,7 +21,7 @@ pub(super) struct AlignmentScene<'a> {
 
 /// A search for the samples of one piece on another, up to a distance.
 #[derive(Clone, Copy)]
-pub(super) struct PairSearch {
+pub(super) struct PieceSearch {
     pub(super) pieces: [usize; 2],
     pub(super) gate: f64,
 }
@@ -42,7 +42,7 @@ impl<'a> AlignmentScene<'a> {
     }
 
     /// Returns the searches between pieces that are near enough, in both directions.
-    pub(super) fn searches_of_near_pieces(&self, poses: &[Pose]) -> Result<Vec<PairSearch>> {
+    pub(super) fn list_searches_of_near_pieces(&self, poses: &[Pose]) -> Result<Vec<PieceSearch>> {
         let bounds = |k: usize| &self.members[k].scan.bounds;
         let is_there = |k: usize| !self.members[k].scan.used.is_empty();
         let is_near = |[i, k]: [usize; 2]| {
@@ -52,26 +52,26 @@ impl<'a> AlignmentScene<'a> {
         let count = self.members.len();
         let all = (0..count).flat_map(|i| (0..count).map(move |k| [i, k]));
         let near = all.filter(|&[i, k]| i != k && is_there(i) && is_there(k) && is_near([i, k]));
-        alloc::gather(near.map(|pieces| PairSearch { pieces, gate: self.reach }))
+        alloc::gather(near.map(|pieces| PieceSearch { pieces, gate: self.reach }))
     }
 
-    /// Runs the searches, each with every `part`-th sample. Points within `on` spacings are on a
-    /// surface.
+    /// Runs the searches, each with every `sample_stride`-th sample. Points within
+    /// `max_on_surface_spacings` spacings are on a surface.
     pub(super) fn run_searches(
         &self,
         poses: &[Pose],
-        looks: &[PairSearch],
-        part: usize,
-        on: f64,
+        looks: &[PieceSearch],
+        sample_stride: usize,
+        max_on_surface_spacings: f64,
         job: &Job<'_>,
     ) -> Result<Vec<([usize; 2], SamplePairReport)>> {
         let reports = par::map_jobs(job, STAGE, looks.iter(), |look_at, job| {
             let [a, b] = look_at.pieces.map(|k| PosedPiece { member: &self.members[k], pose: poses[k] });
-            let reach = on * self.coarser_spacing(look_at.pieces);
+            let reach = max_on_surface_spacings * self.coarser_spacing(look_at.pieces);
             let samples = a.member.samples;
             match (a.member.rim, b.member.rim) {
                 (Some((rim, _)), Some(other)) => find_rim_sample_pairs(&a, rim, &b, other, look_at.gate, reach, job),
-                _ => find_sample_pairs(&a, samples.iter().step_by(part), &b, look_at.gate, reach, job),
+                _ => find_sample_pairs(&a, samples.iter().step_by(sample_stride), &b, look_at.gate, reach, job),
             }
         })?;
         alloc::collect(looks.iter().zip(reports).map(|(look, report)| (look.pieces, report)))
@@ -81,13 +81,15 @@ impl<'a> AlignmentScene<'a> {
     pub(super) fn search_near_pieces_within(
         &self,
         poses: &[Pose],
-        within: f64,
-        on: f64,
+        max_spacings: f64,
+        max_on_surface_spacings: f64,
         job: &Job<'_>,
     ) -> Result<Vec<([usize; 2], SamplePairReport)>> {
-        let mut looks = self.searches_of_near_pieces(poses)?;
+        let mut looks = self.list_searches_of_near_pieces(poses)?;
         // The gate does not exceed the reach.
-        looks.iter_mut().for_each(|look| look.gate = (within * self.coarser_spacing(look.pieces)).min(self.reach));
-        self.run_searches(poses, &looks, 1, on, job)
+        looks
+            .iter_mut()
+            .for_each(|look| look.gate = (max_spacings * self.coarser_spacing(look.pieces)).min(self.reach));
+        self.run_searches(poses, &looks, 1, max_on_surface_spacings, job)
     }
 }

@@ -29,12 +29,12 @@ pub(super) type PieceVerdict = (Reason, f64);
 
 /// Returns the overlaps, and for each piece the reason and the stiffness.
 pub(super) fn assess_alignment(
-    members: &[SampledPiece<'_>],
+    sampled_pieces: &[SampledPiece<'_>],
     reports: &[([usize; 2], SamplePairReport)],
     unit: f64,
 ) -> Result<(Vec<Overlap>, Vec<PieceVerdict>)> {
     let mut overlaps: Vec<Overlap> = Vec::new();
-    let mut opposite = alloc::filled([0usize; 2], members.len())?;
+    let mut opposite = alloc::filled([0usize; 2], sampled_pieces.len())?;
     for ([i, k], one) in reports.iter().filter(|([i, k], _)| i < k) {
         let back = reports.binary_search_by_key(&[*k, *i], |(pair, _)| *pair).ok().map(|at| &reports[at].1);
         let ways = [Some(one), back];
@@ -63,21 +63,21 @@ pub(super) fn assess_alignment(
             },
         )?;
     }
-    let holds = measure_hold_stiffness(members.len(), reports)?;
-    let size = |k: usize| members[k].scan.bounds.diagonal();
-    let mut reasons = alloc::with_capacity(members.len())?;
-    for k in 0..members.len() {
+    let holds = measure_hold_stiffness(sampled_pieces.len(), reports)?;
+    let size = |k: usize| sampled_pieces[k].scan.bounds.diagonal();
+    let mut reasons = alloc::with_capacity(sampled_pieces.len())?;
+    for k in 0..sampled_pieces.len() {
         let own = || overlaps.iter().filter(|overlap| overlap.pieces.contains(&(k as u32)));
         let hold = holds[k];
         let [against, with] = opposite[k];
         let ratio = size(k).max(f64::MIN_POSITIVE) / size(0).max(f64::MIN_POSITIVE);
-        let reason = if k == 0 && !members[0].scan.used.is_empty() {
+        let reason = if k == 0 && !sampled_pieces[0].scan.used.is_empty() {
             Reason::Trusted
         } else if against > MIN_OVERLAP_POINTS && against > 2 * with {
             Reason::FacesOtherWay
         } else if own().all(|overlap| (overlap.count as usize) < MIN_OVERLAP_POINTS) {
             if (1.0 / MIN_OTHER_UNIT_SIZE_RATIO..=MIN_OTHER_UNIT_SIZE_RATIO).contains(&ratio)
-                || members[k].scan.used.is_empty()
+                || sampled_pieces[k].scan.used.is_empty()
             {
                 Reason::NoOverlap
             } else {

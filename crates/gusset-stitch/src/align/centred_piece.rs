@@ -12,7 +12,7 @@ use gusset_mesh::{MeshView, Topology, half_edges};
 
 const STAGE: &str = "looking at the pieces";
 /// Number of smoothing passes over the normals, which are noisy in scans.
-const SMOOTHING_PASSES: usize = 3;
+const NORMAL_SMOOTHING_PASSES: usize = 3;
 
 /// A piece with positions relative to its own centre, in the common unit.
 pub(crate) struct CentredPiece {
@@ -59,7 +59,7 @@ impl CentredPiece {
         }
         let topology = Topology::new(mesh, &job.part(0.1, 0.4))?;
         let mut rim = BitSet::new(count)?;
-        for h in topology.border(&job.part(0.4, 0.4))? {
+        for h in topology.border_half_edges(&job.part(0.4, 0.4))? {
             [h, mesh.faces().next(h)].into_iter().for_each(|h| rim.insert(mesh.faces().corner(h)));
         }
         let (normals, spacing) = smoothed_vertex_normals(mesh, &points, &job.part(0.4, 0.8))?;
@@ -72,7 +72,7 @@ impl CentredPiece {
     }
 
     /// Returns a tree over the points.
-    pub(crate) fn tree(&self, job: &Job<'_>) -> Result<KdTree<'_>> {
+    pub(crate) fn build_point_tree(&self, job: &Job<'_>) -> Result<KdTree<'_>> {
         KdTree::new(&self.points, job, STAGE)
     }
 
@@ -104,9 +104,9 @@ fn smoothed_vertex_normals(mesh: &MeshView<'_>, points: &[DVec3], job: &Job<'_>)
     }
     job.step(0.0, STAGE)?;
     normals.iter_mut().for_each(|n| *n = n.normalize_or_zero());
-    for pass in 0..SMOOTHING_PASSES {
+    for pass in 0..NORMAL_SMOOTHING_PASSES {
         let before = alloc::copied(&normals)?;
-        let job = job.share(pass, SMOOTHING_PASSES);
+        let job = job.share(pass, NORMAL_SMOOTHING_PASSES);
         job.step(0.0, STAGE)?;
         for f in 0..mesh.faces().len() {
             job.step_within(f, STAGE)?;

@@ -10,7 +10,7 @@ use gusset_base::geom::linear::eigen::eigen;
 use gusset_base::job::Job;
 
 /// Number of rounds for each of the four ways before they are compared.
-const ROUNDS_PER_HALF_TURN: u32 = 10;
+const ROUNDS_PER_ROTATION: u32 = 10;
 
 /// The four diagonal rotations: the identity, and half turns about the axes.
 const DIAGONAL_ROTATIONS: [DVec3; 4] =
@@ -18,7 +18,7 @@ const DIAGONAL_ROTATIONS: [DVec3; 4] =
 
 /// Returns the poses that align each piece's principal axes with the first piece's. Chooses the one
 /// of the four ways with the largest overlap. O(pieces) alignments of two pieces.
-pub(super) fn align_axes(scene: &AlignmentScene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> {
+pub(super) fn align_principal_axes(scene: &AlignmentScene<'_>, job: &Job<'_>) -> Result<Vec<Pose>> {
     let count = scene.members.len();
     let mut poses = alloc::filled(Pose::IDENTITY, count)?;
     let Some(first) = scene.members.first() else {
@@ -35,7 +35,7 @@ pub(super) fn align_axes(scene: &AlignmentScene<'_>, job: &Job<'_>) -> Result<Ve
             let rotation = target * DMat3::from_diagonal(turn) * own.transpose();
             let start = Pose { rotation, translation: first.scan.mean - rotation * scan.mean };
             let mut both = [Pose::IDENTITY, start];
-            two.relax_poses(&mut both, ROUNDS_PER_HALF_TURN, &part)?;
+            two.relax_poses(&mut both, ROUNDS_PER_ROTATION, &part)?;
             let reports = two.search_near_pieces_within(
                 &both,
                 super::assess::MAX_NEAR_SPACINGS,

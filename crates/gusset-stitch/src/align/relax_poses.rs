@@ -13,7 +13,7 @@ use gusset_base::job::Job;
 /// The gate is this multiple of the distance of pairs in the previous round.
 const GATE_TO_PAIR_DISTANCE_RATIO: f64 = 3.0;
 /// In the first stage every fourth sample is used, in the second all.
-const SAMPLE_STRIDES: [usize; 2] = [4, 1];
+const SAMPLE_STRIDES_PER_STAGE: [usize; 2] = [4, 1];
 /// A stage ends if every point moves by at most this fraction of the spacing.
 const MAX_RESTING_MOTION_SPACINGS: [f64; 2] = [0.05, 0.001];
 
@@ -23,12 +23,12 @@ impl AlignmentScene<'_> {
     /// and whether nothing moved at the end.
     pub(super) fn relax_poses(&self, poses: &mut [Pose], rounds: u32, job: &Job<'_>) -> Result<(u32, bool)> {
         let (mut done, mut is_still) = (0, true);
-        for stage in 0..SAMPLE_STRIDES.len() {
-            let mut looks = self.searches_of_near_pieces(poses)?;
-            let job = job.share(stage, SAMPLE_STRIDES.len());
+        for stage in 0..SAMPLE_STRIDES_PER_STAGE.len() {
+            let mut looks = self.list_searches_of_near_pieces(poses)?;
+            let job = job.share(stage, SAMPLE_STRIDES_PER_STAGE.len());
             for round in 0..rounds {
                 let part = job.share(round as usize, rounds as usize);
-                let reports = self.run_searches(poses, &looks, SAMPLE_STRIDES[stage], 1.0, &part)?;
+                let reports = self.run_searches(poses, &looks, SAMPLE_STRIDES_PER_STAGE[stage], 1.0, &part)?;
                 for (look, (_, report)) in looks.iter_mut().zip(&reports) {
                     look.gate = match report.near {
                         n if n < MIN_COUPLING_PAIRS => self.reach,

@@ -54,7 +54,8 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
     }
     let Overlaps::Trim(how) = options.overlaps else {
         let mut base = CombinedPieces::new(pieces, None, options, &job.part(0.0, 0.3))?;
-        base.assembly.left = join_facing_loops(&mut base, options, &mut IntersectingStrips::Kept, &job.part(0.3, 0.8))?;
+        base.assembly.left =
+            join_facing_loops(&mut base, options, &mut IntersectingStripTreatment::Kept, &job.part(0.3, 0.8))?;
         return fill_and_turn_joined(base, options, &job.part(0.8, 1.0)).map(|(assembly, _)| assembly);
     };
     let mut trimmed = trim(pieces, &how, &job.part(0.0, 0.4))?;
@@ -93,7 +94,7 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
         if widens {
             edges = DEFAULT_GAP_MEAN_EDGES[1];
         }
-        if !spoilt.remove_from(pieces, &mut trimmed, &assembly, !widens) && !widens {
+        if !spoilt.remove_faces_from(pieces, &mut trimmed, &assembly, !widens) && !widens {
             if is_final {
                 return Ok(assembly);
             }
@@ -103,7 +104,7 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
 }
 
 /// The treatment of strips that intersect other faces.
-enum IntersectingStrips {
+enum IntersectingStripTreatment {
     /// Kept, without a list.
     Kept,
     /// Kept, and the pairs of faces are listed.
@@ -124,7 +125,8 @@ fn join_trimmed_pieces(
     job: &Job<'_>,
 ) -> Result<(Assembly, Vec<[u32; 2]>)> {
     let mut base = CombinedPieces::new(pieces, Some(trimmed), options, &job.part(0.0, 0.3))?;
-    let mut cuts = if refuses { IntersectingStrips::Refused } else { IntersectingStrips::Listed(Vec::new()) };
+    let mut cuts =
+        if refuses { IntersectingStripTreatment::Refused } else { IntersectingStripTreatment::Listed(Vec::new()) };
     base.assembly.left = join_facing_loops(&mut base, options, &mut cuts, &job.part(0.3, 0.7))?;
     // Where three pieces meet, the first strips leave loops that face each other, now on one
     // component. The sides of such a seam may be farther apart than unrelated loops.
@@ -143,7 +145,7 @@ fn join_trimmed_pieces(
         }
     }
     match cuts {
-        IntersectingStrips::Listed(cuts) if !cuts.is_empty() => Ok((base.assembly, cuts)),
+        IntersectingStripTreatment::Listed(cuts) if !cuts.is_empty() => Ok((base.assembly, cuts)),
         _ => fill_and_turn_joined(base, options, &job.part(0.8, 1.0)),
     }
 }
@@ -167,13 +169,15 @@ fn fill_and_turn_joined(
 fn join_facing_loops(
     base: &mut CombinedPieces,
     options: &Options<'_>,
-    cuts: &mut IntersectingStrips,
+    cuts: &mut IntersectingStripTreatment,
     job: &Job<'_>,
 ) -> Result<Vec<LeftLoop>> {
     let mut loops = PieceLoops::new(base, &job.part(0.0, 0.2))?;
     let excluded = list_excluded_loop_pairs(base, &loops, options)?;
     let mut found = choose_loop_pairs(base, &loops, options, &excluded, &job.part(0.2, 0.4))?;
-    if options.within_components && matches!(cuts, IntersectingStrips::Listed(_) | IntersectingStrips::Refused) {
+    if options.within_components
+        && matches!(cuts, IntersectingStripTreatment::Listed(_) | IntersectingStripTreatment::Refused)
+    {
         found.retain(|facing| loops.is_seam(facing));
     }
     let joined_wholly = alloc::collect(found.iter().map(|facing| facing.arcs.is_none()))?;
@@ -181,11 +185,11 @@ fn join_facing_loops(
     // Make components that face each other agree, nearest first.
     let outcomes = base.make_orientations_agree(&mut loops, &mut found, options.keep_orientation)?;
     alloc::reserve(&mut base.assembly.joints, found.len())?;
-    let mut hangs = alloc::filled(false, loops.rims.len())?;
+    let mut has_strip = alloc::filled(false, loops.rims.len())?;
     let mut tried = alloc::filled(false, loops.rims.len())?;
     let mut edges = loops.edges_between_rims(&base.assembly.mesh)?;
     let mean_side = std::cell::OnceCell::new();
-    options.strip.note_unread(job);
+    options.strip.note_unread_options(job);
     let strips = stitch::Options { twist: 0, ..options.strip.strip_options() };
     for (k, (facing, outcome)) in found.iter().zip(outcomes).enumerate() {
         let part = job.part(0.4, 1.0).share(k, found.len());
@@ -211,7 +215,7 @@ fn join_facing_loops(
             let is_slit = facing.rims[0] == facing.rims[1];
             // The ends of a slit already have edges.
             let strips = if is_slit { stitch::Options { rows: Rows::None, ..strips } } else { strips };
-            let mean = || *mean_side.get_or_init(|| base.assembly.mesh.mean_side()) / loops.unit;
+            let mean = || *mean_side.get_or_init(|| base.assembly.mesh.mean_side_length()) / loops.unit;
             match Strip::build(a, b, &existing, &strips, mean, &part.part(0.0, 0.6)) {
                 Err(Error::NoStrip { .. }) => joint.outcome = Outcome::NoStrip,
                 Err(error) => return Err(error),
@@ -220,13 +224,13 @@ fn join_facing_loops(
                     let checked = fair_and_check(mesh, &mut strip, loops.unit, &existing, &strips, &part)?;
                     let pairs = checked.intersections.as_deref().unwrap_or_default();
                     match cuts {
-                        IntersectingStrips::Refused if !pairs.is_empty() => {
+                        IntersectingStripTreatment::Refused if !pairs.is_empty() => {
                             joint.outcome = Outcome::WouldCut;
                             base.assembly.joints.push(joint);
                             continue;
                         }
-                        IntersectingStrips::Listed(all) => alloc::append(all, pairs)?,
-                        IntersectingStrips::Kept | IntersectingStrips::Refused => {}
+                        IntersectingStripTreatment::Listed(all) => alloc::append(all, pairs)?,
+                        IntersectingStripTreatment::Kept | IntersectingStripTreatment::Refused => {}
                     }
                     let attached = append_strip(&mut base.assembly.mesh, &strip, loops.unit)?;
                     edges.add_strip_edges(&strip)?;
@@ -238,13 +242,13 @@ fn join_facing_loops(
                     joint.faces = attached.faces;
                     joint.intersections = checked.intersections;
                     joint.finish = checked.finish;
-                    facing.rims.iter().for_each(|&r| hangs[r] = true);
+                    facing.rims.iter().for_each(|&r| has_strip[r] = true);
                 }
             }
         }
         base.assembly.joints.push(joint);
     }
-    list_left_loops(loops, options, &excluded, [&hangs, &tried], &job.part(1.0, 1.0))
+    list_left_loops(loops, options, &excluded, [&has_strip, &tried], &job.part(1.0, 1.0))
 }
 
 /// Returns the loops without a strip, and the reasons.
@@ -252,11 +256,11 @@ fn list_left_loops(
     loops: PieceLoops,
     options: &Options<'_>,
     excluded: &[[u32; 2]],
-    [hangs, tried]: [&[bool]; 2],
+    [has_strip, tried]: [&[bool]; 2],
     job: &Job<'_>,
 ) -> Result<Vec<LeftLoop>> {
-    let without = alloc::collect(hangs.iter().map(|&hangs| !hangs))?;
-    let explained = loops.facing_search(options, hangs, excluded).explain_left_loops(&without, job)?;
+    let without = alloc::collect(has_strip.iter().map(|&has_strip| !has_strip))?;
+    let explained = loops.facing_search(options, has_strip, excluded).explain_left_loops(&without, job)?;
     let mut left = loops.others;
     for (r, (rim, found)) in loops.rims.into_iter().zip(explained).enumerate() {
         if let Some(found) = found {
@@ -274,7 +278,8 @@ fn list_excluded_loop_pairs(base: &CombinedPieces, loops: &PieceLoops, options: 
     let places = loops.vertex_loop_pairs()?;
     let mut excluded = Vec::new();
     for (k, pair) in options.excluded.iter().enumerate() {
-        GivenPair { option: "excluded", number: k as u32, pair }.check_exists(&base.assembly.maps)?;
+        GivenPair { option: "excluded", number: k as u32, pair }
+            .check_pieces_and_vertices_exist(&base.assembly.maps)?;
         let (first, second) =
             (loops.select_loops(base, &places, pair[0])?, loops.select_loops(base, &places, pair[1])?);
         let pairs = first.iter().flat_map(|&r| second.iter().map(move |&s| [r.min(s) as u32, r.max(s) as u32]));
@@ -297,7 +302,7 @@ fn choose_loop_pairs(
     let mut found: Vec<FacingLoops> = Vec::new();
     for (k, pair) in options.pairs.iter().enumerate() {
         let given = GivenPair { option: "pairs", number: k as u32, pair };
-        given.check_exists(&base.assembly.maps)?;
+        given.check_pieces_and_vertices_exist(&base.assembly.maps)?;
         let rims = given.find_named_rims(
             |selector| loops.select_loops(base, &places, selector),
             &taken,

@@ -1,9 +1,9 @@
 //! One-to-one pairing: a matching of greatest weight.
 //!
-//! Ends that are connected by possible pairs form a group. For groups of up to [`MAX_EXACT_GROUP_ENDS`] ends
-//! the optimum is computed by dynamic programming over the sets of ends (2^n sets). In larger
-//! groups the best pair is chosen greedily. Then two pairs, or a pair and a free end, exchange
-//! partners as long as that improves the sum.
+//! Ends that are connected by possible pairs form a group. For groups of up to
+//! [`MAX_EXACT_GROUP_ENDS`] ends the optimum is computed by dynamic programming over the sets of
+//! ends (2^n sets). In larger groups the best pair is chosen greedily. Then two pairs, or a pair
+//! and a free end, exchange partners as long as that improves the sum.
 
 use super::candidates::STAGE;
 use gusset_base::alloc;

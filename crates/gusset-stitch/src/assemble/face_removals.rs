@@ -169,7 +169,7 @@ impl FaceRemovals {
 
     /// Removes the selected faces from the trimmed pieces, and faces of unjoined parts only if
     /// `parts`. Returns false if nothing was removed.
-    pub(super) fn remove_from(
+    pub(super) fn remove_faces_from(
         &self,
         pieces: &[MeshView<'_>],
         trimmed: &mut Trimmed,

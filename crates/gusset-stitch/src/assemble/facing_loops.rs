@@ -53,7 +53,7 @@ impl FacingSearch<'_> {
     ///
     /// O(V log V) for V vertices on loops that have others near them.
     pub(super) fn find_facing_loops(&self, job: &Job<'_>) -> Result<Vec<FacingLoops>> {
-        let nearest_vertices = self.nearest_vertices(&job.part(0.0, 0.3))?;
+        let nearest_vertices = self.find_nearest_loop_vertices(&job.part(0.0, 0.3))?;
         let mut found = self.pair_whole_loops(&shares_of_nearest_loops(&nearest_vertices)?, &job.part(0.3, 1.0))?;
         let mut whole = alloc::filled(false, self.rims.len())?;
         found.iter().flat_map(|facing| facing.rims).for_each(|r| whole[r] = true);
@@ -61,14 +61,14 @@ impl FacingSearch<'_> {
             self.add_facing_arcs(&nearest_vertices, &whole, &mut found)?;
         }
         if found.is_empty() {
-            alloc::extend(&mut found, self.only_two_loops(&job.part(1.0, 1.0))?)?;
+            alloc::extend(&mut found, self.pair_only_two_loops(&job.part(1.0, 1.0))?)?;
         }
         Ok(found)
     }
 
     /// Returns the only two loops if they belong to two pieces and may be joined, and no limit is
     /// given.
-    fn only_two_loops(&self, job: &Job<'_>) -> Result<Option<FacingLoops>> {
+    fn pair_only_two_loops(&self, job: &Job<'_>) -> Result<Option<FacingLoops>> {
         let of_two_pieces = self.rims.len() == 2 && self.candidates[0].piece != self.candidates[1].piece;
         if !of_two_pieces || self.max_gap.is_some() || self.used[0] || !self.may_join_loops(0, 1) {
             return Ok(None);
@@ -78,7 +78,7 @@ impl FacingSearch<'_> {
 
     /// Returns the nearest vertex of another loop for each vertex, within twice the limit of whole
     /// loops.
-    fn nearest_vertices(&self, job: &Job<'_>) -> Result<Vec<Vec<NearestLoopVertex>>> {
+    fn find_nearest_loop_vertices(&self, job: &Job<'_>) -> Result<Vec<Vec<NearestLoopVertex>>> {
         let LoopVertices { points, owners, groups, firsts } = self.collect_loop_vertices()?;
         let total = points.len();
         let tree = KdTree::with_groups(&points, &groups, &job.part(0.0, 0.1), STAGE)?;

@@ -20,7 +20,7 @@ impl GivenPair<'_> {
     }
 
     /// Checks that both pieces exist, and the named vertices.
-    pub(super) fn check_exists(&self, maps: &[IndexMap]) -> Result<()> {
+    pub(super) fn check_pieces_and_vertices_exist(&self, maps: &[IndexMap]) -> Result<()> {
         for (k, selector) in self.pair.iter().enumerate() {
             let map = maps.get(selector.piece as usize).ok_or_else(|| self.pair_error(k, PairFault::NoPiece))?;
             if selector.vertex != NONE && selector.vertex as usize >= map.vertices.len() {

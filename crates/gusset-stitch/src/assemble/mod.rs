@@ -2,8 +2,8 @@
 //!
 //! The stages in order:
 //!
-//! 1. The pieces are concatenated. Overlaps are trimmed on request (`face_removals`), and coincident
-//!    borders are sewn ([`sew`](crate::repair::sew)).
+//! 1. The pieces are concatenated. Overlaps are trimmed on request (`face_removals`), and
+//!    coincident borders are sewn ([`sew`](crate::repair::sew)).
 //! 2. Each component is oriented consistently ([`orient`](crate::repair::orient)).
 //! 3. Slits that sewing left between two borders are joined with themselves (`slit`).
 //! 4. Loops of different components that face each other across a gap are paired (`facing_loops`).

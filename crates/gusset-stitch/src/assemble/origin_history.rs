@@ -39,7 +39,7 @@ impl History {
             None => self.face_origin = Some(faces),
         }
         self.corner_origins = Some(match self.corner_origins.take() {
-            Some(origins) => origins.rebased(Some(&corners)),
+            Some(origins) => origins.composed_with_earlier(Some(&corners)),
             None => CornerOrigins { corners, on_edges: Vec::new() },
         });
     }

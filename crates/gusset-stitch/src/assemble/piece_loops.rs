@@ -16,7 +16,7 @@ use gusset_base::sort::sort_distinct;
 use gusset_mesh::{Mesh, NONE, vertex_components};
 
 /// A seam between two loops of one component is at least this many times as long as wide.
-const MIN_SEAM_ASPECT: f64 = 10.0;
+const MIN_SEAM_ASPECT_RATIO: f64 = 10.0;
 /// Number of loops between two progress reports.
 const LOOPS_PER_REPORT: usize = 1 << 12;
 
@@ -98,7 +98,7 @@ impl PieceLoops {
             || (0..2).all(|side| {
                 let own = &self.candidates[facing.rims[side]];
                 let vertices = facing.arcs.map_or(self.rims[facing.rims[side]].vertices.len(), |arcs| arcs[side].count);
-                vertices as f64 * own.spacing >= MIN_SEAM_ASPECT * facing.gap
+                vertices as f64 * own.spacing >= MIN_SEAM_ASPECT_RATIO * facing.gap
             })
     }
 

@@ -14,7 +14,7 @@ use super::candidates::{FacingLoops, FacingSearch, STAGE, SlitLoop};
 use super::whole_loops::rim_conormals;
 use crate::boundary::Loop;
 use crate::stitch::facing::Arc;
-use crate::stitch::polyline::nearest_beside;
+use crate::stitch::polyline::nearest_point_on_adjacent_edges;
 use crate::stitch::stitch_rim::Rim;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -66,7 +66,7 @@ impl SlitLoop {
         let mut best: Option<SlitLoop> = None;
         for (k, &s) in ends.iter().enumerate() {
             for &t in &ends[k + 1..] {
-                let slit = SlitLoop::between_ends(rim, &conormals, [s, t], is_near, job)?;
+                let slit = SlitLoop::slit_between_ends(rim, &conormals, [s, t], is_near, job)?;
                 let rank = |slit: &SlitLoop| (!slit.closes, slit.gap);
                 let better = |slit: &SlitLoop| best.is_none_or(|best| rank(slit) < rank(&best));
                 best = slit.filter(better).or(best);
@@ -77,7 +77,7 @@ impl SlitLoop {
 
     /// Returns the slit with the ends at places `s` and `t`. `is_near` tells whether a gap is
     /// small.
-    fn between_ends(
+    fn slit_between_ends(
         rim: &Rim,
         conormals: &[DVec3],
         [s, t]: [usize; 2],
@@ -146,7 +146,7 @@ fn measure_side_facing(
         let Some((_, v)) = tree.nearest(p, f64::INFINITY, |_| true) else {
             continue;
         };
-        let way = nearest_beside(&line, false, v as usize, p) - p;
+        let way = nearest_point_on_adjacent_edges(&line, false, v as usize, p) - p;
         let (weight, distance) = (side((i + n - 1) % n) + side(i), way.length());
         sum += weight;
         gap += weight * distance;

@@ -43,7 +43,7 @@ const MIN_COSINE_AHEAD: f64 = 0.7;
 
 /// Smallest fraction of the vertices with any loop ahead for which the other loop is at most a
 /// little farther.
-const MIN_SHARE_AHEAD: f64 = 0.8;
+const MIN_AHEAD_VERTEX_SHARE: f64 = 0.8;
 
 /// A loop is a little farther if its distance is at most this multiple of the distance of the
 /// nearest loop ahead.
@@ -54,7 +54,7 @@ const MAX_FARTHER_DISTANCE_RATIO: f64 = 3.0;
 const MIN_NEAREST_VERTEX_SHARE: f64 = 0.9;
 
 /// Distances are similar if the largest is at most this many times the smallest, or the spacing.
-const MAX_DISTANCE_RATIO: f64 = 4.0;
+const MAX_SIMILAR_DISTANCE_RATIO: f64 = 4.0;
 
 /// Directions agree if the mean of their unit vectors is longer than this.
 const MIN_MEAN_DIRECTION_LENGTH: f64 = 0.5;
@@ -73,10 +73,10 @@ const MAX_FACING_SAMPLES: usize = 1 << 10;
 const MAX_AHEAD_SAMPLES: usize = 1 << 7;
 
 /// Smallest factor of a pair's gain for its gap, and for its look, relative to the best.
-const MIN_GAIN_FACTOR: f64 = 0.2;
+const MIN_PAIR_GAIN_FACTOR: f64 = 0.2;
 
 /// Factor of the gain of a pair of loops on one piece.
-const SAME_PIECE_FACTOR: f64 = 0.5;
+const SAME_PIECE_GAIN_FACTOR: f64 = 0.5;
 
 /// How one loop sees another.
 #[derive(Clone, Copy)]
@@ -138,26 +138,27 @@ impl FacingSearch<'_> {
             job.step(0.5 + 0.5 * number as f64 / pairs.len() as f64, STAGE)?;
             let near = nearest_share_of_pair(near, [r, k]).min(nearest_share_of_pair(near, [k, r]));
             let [r, k] = [r as usize, k as usize];
-            let hardly_farther = |r: usize, k: usize| share_ahead(&before[r], &self.rims[r], &trees[k]);
+            let hardly_farther =
+                |r: usize, k: usize| share_of_vertices_with_loop_ahead(&before[r], &self.rims[r], &trees[k]);
             let before = hardly_farther(r, k).min(hardly_farther(k, r));
-            if before < MIN_SHARE_AHEAD && near < MIN_NEAREST_VERTEX_SHARE {
+            if before < MIN_AHEAD_VERTEX_SHARE && near < MIN_NEAREST_VERTEX_SHARE {
                 continue;
             }
             let there = measure_loop_facing(&self.rims[r], &conormals[r], &self.rims[k], &lengths[k], &trees[k])?;
             let back = measure_loop_facing(&self.rims[k], &conormals[k], &self.rims[r], &lengths[r], &trees[r])?;
             let (gap, limit) = (there.gap.max(back.gap), self.max_gap_between(r, k));
             let looks = there.cosine + back.cosine;
-            let face = before >= MIN_SHARE_AHEAD
+            let face = before >= MIN_AHEAD_VERTEX_SHARE
                 && there.cosine.min(back.cosine) >= MIN_FACING_COSINE
                 && looks >= MIN_FACING_COSINE_SUM;
             // Overlapping rims, like hem and waist, look away from each other.
             let round = near >= MIN_NEAREST_VERTEX_SHARE && there.round && back.round && !(there.beside && back.beside);
             if gap <= limit && (face || round) {
                 let [first, second] = [&self.candidates[r], &self.candidates[k]];
-                let nearness = 1.0 - (1.0 - MIN_GAIN_FACTOR) * if limit > 0.0 { gap / limit } else { 0.0 };
+                let nearness = 1.0 - (1.0 - MIN_PAIR_GAIN_FACTOR) * if limit > 0.0 { gap / limit } else { 0.0 };
                 let alike = first.length.min(second.length) / first.length.max(second.length);
-                let piece = if first.piece == second.piece { SAME_PIECE_FACTOR } else { 1.0 };
-                let gain = nearness * (0.5 * looks).max(MIN_GAIN_FACTOR) * (0.5 + 0.5 * alike) * piece;
+                let piece = if first.piece == second.piece { SAME_PIECE_GAIN_FACTOR } else { 1.0 };
+                let gain = nearness * (0.5 * looks).max(MIN_PAIR_GAIN_FACTOR) * (0.5 + 0.5 * alike) * piece;
                 alloc::push(&mut matches, PossiblePair { ends: [r as u32, k as u32], gain })?;
                 alloc::push(&mut gaps, gap)?;
             }
@@ -223,7 +224,7 @@ pub(super) fn add_nearest_loop_shares(
 
 /// Returns the fraction of a loop's vertices with any loop ahead that have another loop, whose
 /// vertices are in `tree`, at most a little farther away.
-fn share_ahead(of_loop: &[LoopAhead], rim: &Rim, tree: &KdTree<'_>) -> f64 {
+fn share_of_vertices_with_loop_ahead(of_loop: &[LoopAhead], rim: &Rim, tree: &KdTree<'_>) -> f64 {
     let is_near = |ahead: &&LoopAhead| {
         let limit = MAX_FARTHER_DISTANCE_RATIO * ahead.distance;
         tree.nearest(rim.points[ahead.place as usize], limit * limit, |_| true).is_some()
@@ -269,7 +270,7 @@ fn measure_loop_facing(
         let Some((_, v)) = tree.nearest(p, f64::INFINITY, |_| true) else {
             continue;
         };
-        let way = polyline::nearest_beside(&to.points, true, v as usize, p) - p;
+        let way = polyline::nearest_point_on_adjacent_edges(&to.points, true, v as usize, p) - p;
         let (weight, distance) = (edge((i + n - 1) % n) + edge(i), way.length());
         sum += weight;
         distances.push(distance);
@@ -285,7 +286,7 @@ fn measure_loop_facing(
     distances.sort_unstable_by(f64::total_cmp);
     let [low, high] = [1, 9].map(|tenth| distances.get(distances.len().saturating_sub(1) * tenth / 10));
     let spacing = sum / 2.0 / distances.len().max(1) as f64;
-    let alike = low.zip(high).is_some_and(|(low, high)| *high <= MAX_DISTANCE_RATIO * low.max(spacing));
+    let alike = low.zip(high).is_some_and(|(low, high)| *high <= MAX_SIMILAR_DISTANCE_RATIO * low.max(spacing));
     let one_way = if sum > 0.0 { one_way.length() / sum } else { 0.0 };
     let beside =
         !winds && one_way > MIN_MEAN_DIRECTION_LENGTH && cosine.abs() < MAX_BESIDE_COSINE_RATIO * one_way * sum;

@@ -18,7 +18,7 @@ const MIN_RELATIVE_SHORTEST_SIDE: f64 = 0.3;
 /// The corresponding fraction in the last step.
 const FINAL_MIN_RELATIVE_SHORTEST_SIDE: f64 = 1e-3;
 /// Rounds in which vertices move within the surface, before each solution and in the last step.
-const SETTLE_ROUNDS: [u32; 2] = [2, 5];
+const VERTEX_MOVE_ROUNDS: [u32; 2] = [2, 5];
 /// Smoothing passes over the strip's curvature, which is concentrated in its ridges.
 const CURVATURE_SMOOTHING_PASSES: u32 = 10;
 
@@ -90,7 +90,7 @@ impl<T: Fn(u32, u32) -> bool> BlendPlan<T> {
         // The cosine of twice the angle.
         let min_cosine = MIN_SMOOTH_BEND_COSINE.min(2.0 * usual * usual - 1.0);
         let mut mesh = PatchMesh::new(alloc::copied(&ring.points[..rim])?, triangles)?;
-        let mut size = ring.rim_sizes()?;
+        let mut size = ring.mean_side_lengths_at_rims()?;
         size.iter_mut().for_each(|s| *s *= NEW_SIDE_TO_OLD_SIDE_RATIO);
         let at_rim = limits.at_rim.saturating_mul(rim as u32);
         let limit = limits.new.max(at_rim);
@@ -105,7 +105,7 @@ impl<T: Fn(u32, u32) -> bool> BlendPlan<T> {
             return Ok(None);
         }
         size.iter_mut().for_each(|s| *s *= grown);
-        ring.draw_old_vertices_near(&size)?;
+        ring.draw_old_vertices_to_rims(&size)?;
         let mut sizing = VertexSizes {
             size,
             unfaired: alloc::copied(&mesh.points)?,
@@ -119,7 +119,7 @@ impl<T: Fn(u32, u32) -> bool> BlendPlan<T> {
         if limits.growth.is_finite() && mesh.points.len() >= sizing.limit {
             return Ok(None);
         }
-        mesh.move_vertices_within_surface(rim, &taken, SETTLE_ROUNDS[0], &job.part(0.8, 1.0))?;
+        mesh.move_vertices_within_surface(rim, &taken, VERTEX_MOVE_ROUNDS[0], &job.part(0.8, 1.0))?;
         let closed = |v: usize| v >= rim;
         sizing.curvature =
             mean_curvature(&mesh.points, &mesh.triangles, &closed, CURVATURE_SMOOTHING_PASSES, &job.part(1.0, 1.0))?;
@@ -135,9 +135,9 @@ impl<T: Fn(u32, u32) -> bool> BlendPlan<T> {
             let part = job.part(0.0, 0.6).share(round as usize, way.rounds as usize);
             if round > 0 {
                 refine_by_insertion(&mut mesh, rim, &mut sizing, taken, &part.part(0.0, 0.3))?;
-                mesh.move_vertices_within_surface(rim, taken, SETTLE_ROUNDS[0], &part.part(0.3, 0.4))?;
+                mesh.move_vertices_within_surface(rim, taken, VERTEX_MOVE_ROUNDS[0], &part.part(0.3, 0.4))?;
                 if let Some(passes) = ring.follows {
-                    sizing.curvature = ring.solved_curvature(&mesh, passes, &part.part(0.4, 0.4))?;
+                    sizing.curvature = ring.curvature_of_solved_patch(&mesh, passes, &part.part(0.4, 0.4))?;
                 }
             }
             ring.fair_patch(&mut mesh, &sizing, way.unfolds, &part.part(0.4, 1.0))?;
@@ -145,7 +145,7 @@ impl<T: Fn(u32, u32) -> bool> BlendPlan<T> {
         mesh.iron_out_creases(rim, self.min_cosine, &self.creased, &job.part(0.6, 0.7))?;
         sizing.shortest = FINAL_MIN_RELATIVE_SHORTEST_SIDE;
         refine_by_insertion(&mut mesh, rim, &mut sizing, taken, &job.part(0.7, 0.8))?;
-        mesh.move_vertices_within_surface(rim, taken, SETTLE_ROUNDS[1], &job.part(0.8, 1.0))?;
+        mesh.move_vertices_within_surface(rim, taken, VERTEX_MOVE_ROUNDS[1], &job.part(0.8, 1.0))?;
         let back = |points: &[DVec3]| alloc::collect(points[rim..].iter().map(|&p| p + ring.origin));
         Ok(Blend { points: back(&mesh.points)?, unfaired: back(&sizing.unfaired)?, triangles: mesh.triangles })
     }

@@ -8,7 +8,7 @@ use gusset_base::error::Result;
 /// A triangle is folded if its normal turns by more than this angle, given as its cosine.
 const MIN_UNFOLDED_COSINE: f64 = 0.2;
 /// Largest number of times that a vertex returns halfway.
-const MAX_HALVINGS: u32 = 8;
+const MAX_MOVE_HALVINGS: u32 = 8;
 
 /// Moves the vertices of `mesh` from `rim` to `places`. Vertices of triangles that would fold move
 /// only part of the way. Remaining folds are left to the search for intersections.
@@ -19,7 +19,7 @@ pub(super) fn move_without_folds(mesh: &mut PatchMesh, rim: usize, places: &[DVe
         (b - a).cross(c - a)
     };
     let mut share = alloc::filled(1.0, places.len())?;
-    for _ in 0..MAX_HALVINGS {
+    for _ in 0..MAX_MOVE_HALVINGS {
         for ((point, &from), (&to, &share)) in
             mesh.points[rim..].iter_mut().zip(&start[rim..]).zip(places.iter().zip(&share))
         {

@@ -1,9 +1,9 @@
 //! Blends: fine triangles that replace coarse ones between fixed rims, on a surface that continues
 //! the old one. Strips and triangulations of holes become blends.
 //!
-//! The coarse triangles guide the surface. Their sides are halved to [`RELATIVE_SIZE`](plan) of the
-//! old sides at the rims, short sides are collapsed, and vertices are inserted at small angles
-//! ([`crate::remesh`]). The new vertices then move to the minimum of a thin plate's energy, clamped
+//! The coarse triangles guide the surface. Their sides are halved to
+//! [`NEW_SIDE_TO_OLD_SIDE_RATIO`](blend_plan) of the old sides at the rims, short sides are
+//! collapsed, and vertices are inserted at small angles ([`crate::remesh`]). The new vertices then move to the minimum of a thin plate's energy, clamped
 //! to the old faces ([`crate::fair`]). This is repeated; if the result intersects, with fewer
 //! rounds or with protection against folds.
 //!

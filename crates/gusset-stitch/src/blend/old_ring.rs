@@ -52,9 +52,9 @@ pub(crate) struct SecondRing {
 }
 
 impl OldRing {
-    /// Measures the bends of the old faces at the rims. Returns the cosine that [`USUAL_BEND_PERCENTILE`]
-    /// percent of the edges reach, at least 0, and for each rim vertex whether one of its edges
-    /// bends by more than [`MIN_SMOOTH_BEND_COSINE`].
+    /// Measures the bends of the old faces at the rims. Returns the cosine that
+    /// [`USUAL_BEND_PERCENTILE`] percent of the edges reach, at least 0, and for each rim vertex
+    /// whether one of its edges bends by more than [`MIN_SMOOTH_BEND_COSINE`].
     pub(super) fn measure_bends(&self) -> Result<(f64, Vec<bool>)> {
         let rim = self.centred.len();
         let mut edges = alloc::with_capacity(3 * self.triangles.len())?;
@@ -82,7 +82,7 @@ impl OldRing {
     /// Returns the mean length of the old sides at each rim vertex, weighted by length, so that
     /// slivers count little. The sizes vary slowly along the rims: each is at least the size of a
     /// neighbour minus its distance. A corner that the rim cuts off says little about the surface.
-    pub(super) fn rim_sizes(&self) -> Result<Vec<f64>> {
+    pub(super) fn mean_side_lengths_at_rims(&self) -> Result<Vec<f64>> {
         let rim = self.centred.len();
         let mut sums = alloc::filled((0.0, 0.0), rim)?;
         for &(u, v) in &self.sides {
@@ -115,7 +115,7 @@ impl OldRing {
     /// guide.
     ///
     /// Does nothing for curvature continuity, because the move would change the curvature.
-    pub(super) fn draw_old_vertices_near(&mut self, size: &[f64]) -> Result<()> {
+    pub(super) fn draw_old_vertices_to_rims(&mut self, size: &[f64]) -> Result<()> {
         if self.beyond.continuity == Continuity::C2 {
             return Ok(());
         }
@@ -155,7 +155,7 @@ impl OldRing {
     }
 
     /// Returns the curvature of a solved patch, including its rims; see [`mean_curvature`].
-    pub(super) fn solved_curvature(&self, mesh: &PatchMesh, passes: u32, job: &Job<'_>) -> Result<Vec<DVec3>> {
+    pub(super) fn curvature_of_solved_patch(&self, mesh: &PatchMesh, passes: u32, job: &Job<'_>) -> Result<Vec<DVec3>> {
         let (rim, old) = (self.centred.len(), self.points.len());
         let (points, triangles) = self.merged_with_patch(mesh)?;
         let all = mean_curvature(&points, &triangles, &|v| v >= old || v < rim && self.centred[v], passes, job)?;

@@ -64,7 +64,7 @@ impl<'m, 'a> BorderWalker<'m, 'a> {
         mode: NonManifold,
         job: &Job<'_>,
     ) -> Result<Self> {
-        let border = topology.border(job)?;
+        let border = topology.border_half_edges(job)?;
         let visited = alloc::filled(false, border.len())?;
         let bow_tie = alloc::zeroed(mesh.positions().len())?;
         Ok(BorderWalker { mesh, topology, mode, border, visited, next: 0, bow_tie })

@@ -7,7 +7,7 @@
 use super::border_walker::{BorderWalker, DirectedHalfEdge};
 use super::options::{Options, Survey};
 use super::regular_walks::find_regular_walks;
-use super::simple_loops::{STAGE, split_simple};
+use super::simple_loops::{STAGE, split_into_simple_loops};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::scale::distance;
@@ -190,7 +190,7 @@ pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> 
                 SimpleWalkPiece { darts, closed, walk: number, walk_closed, is_split: darts.len() < walk.len() };
             boundary.append_piece(mesh, &piece, Some(&walker), &walking)
         };
-        split_simple(&walk, |dart| dart.tail(mesh), |dart| dart.head(mesh), &mut place, &walking, add)?;
+        split_into_simple_loops(&walk, |dart| dart.tail(mesh), |dart| dart.head(mesh), &mut place, &walking, add)?;
     }
     // Sort in place: a stable sort would need memory that may be refused.
     boundary.records.sort_unstable_by_key(|r| r.smallest);

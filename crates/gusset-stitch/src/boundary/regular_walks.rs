@@ -92,13 +92,13 @@ pub(super) fn find_regular_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<O
 /// by (u - v) (2 (u + v) + c), where the second factor is odd. The square and the shift break
 /// linearity: otherwise sums of f would agree where sums of indices agree, and the area could be 0
 /// there too.
-fn f(v: u32) -> u32 {
+fn vertex_hash(v: u32) -> u32 {
     let x = v.wrapping_mul(v.wrapping_mul(2).wrapping_add(0x9e37_79b1));
     x ^ (x >> 15)
 }
 
 /// The term g: the shoelace term of the edge from (x, x^2) to (y, y^2).
-fn g(x: u32, y: u32) -> u64 {
+fn shoelace_term(x: u32, y: u32) -> u64 {
     (u64::from(x) * u64::from(y)).wrapping_mul(wrapping_difference_u64(y, x))
 }
 
@@ -117,18 +117,18 @@ impl FaceVisitor for BorderSums {
     #[inline(always)]
     fn visit_face(&mut self, _: u32, corners: &[u32]) -> Result<()> {
         let (count, first) = (corners.len(), corners[0]);
-        let mut before = f(corners[count - 1]);
+        let mut before = vertex_hash(corners[count - 1]);
         for (i, &here) in corners.iter().enumerate() {
             let after = corners[if i + 1 < count { i + 1 } else { 0 }];
             let sum = &mut self.of_vertex[here as usize];
-            *sum = sum.wrapping_add(f(after).wrapping_sub(before));
+            *sum = sum.wrapping_add(vertex_hash(after).wrapping_sub(before));
             // The face as a fan of triangles (first, here, after). The first and the last of them
             // are degenerate.
             let area = wrapping_difference_u64(here, first)
                 .wrapping_mul(wrapping_difference_u64(after, first))
                 .wrapping_mul(wrapping_difference_u64(after, here));
             self.area = self.area.wrapping_add(area);
-            before = f(here);
+            before = vertex_hash(here);
         }
         Ok(())
     }
@@ -168,9 +168,9 @@ impl BorderSums {
     /// Returns true if both sums match the border, in which edge `next[i]` follows edge i.
     fn sums_match_border(&self, border: &[(u32, u32, u32)], next: &[usize]) -> bool {
         let fits = |(&(u, v, _), &i): (&(u32, u32, u32), &usize)| {
-            self.of_vertex[v as usize] == f(border[i].1).wrapping_sub(f(u))
+            self.of_vertex[v as usize] == vertex_hash(border[i].1).wrapping_sub(vertex_hash(u))
         };
-        let area = border.iter().fold(0u64, |area, &(u, v, _)| area.wrapping_add(g(u, v)));
+        let area = border.iter().fold(0u64, |area, &(u, v, _)| area.wrapping_add(shoelace_term(u, v)));
         let flagged = self.of_vertex.iter().filter(|&&sum| sum != 0).count();
         border.len() == flagged && border.iter().zip(next).all(fits) && area == self.area
     }
@@ -320,7 +320,7 @@ mod tests {
         for (face, i) in octahedron.iter().flat_map(|face| (0..3).map(move |i| (face, i))) {
             let (before, v, after) = (face[(i + 2) % 3], face[i], face[(i + 1) % 3]);
             let sum: &mut u32 = total.entry(v).or_default();
-            *sum = sum.wrapping_add(f(after)).wrapping_sub(f(before));
+            *sum = sum.wrapping_add(vertex_hash(after)).wrapping_sub(vertex_hash(before));
         }
         assert!(total.len() == 6 && total.values().all(|&sum| sum == 0), "the coincidence");
         check_loop_lengths(limit, &octahedron, false, &[3, 3, 3, 3]);

@@ -80,7 +80,7 @@ impl DiscOpening<'_> {
             };
             let path = self.search.path_half_edges(end)?;
             for &h in &path {
-                let ends = self.split_ends(surface, h);
+                let ends = self.ends_in_split_surface(surface, h);
                 add(&ends, &mut sources, &mut is_source)?;
             }
             add(&loops[loop_of[(end - first) as usize] as usize], &mut sources, &mut is_source)?;
@@ -110,7 +110,7 @@ impl DiscOpening<'_> {
         }
     }
 
-    fn split_ends(&self, surface: &CutSurface<'_, '_>, h: u32) -> [u32; 2] {
+    fn ends_in_split_surface(&self, surface: &CutSurface<'_, '_>, h: u32) -> [u32; 2] {
         [h, surface.mesh.faces().next(h)].map(|h| self.split.corners[h as usize])
     }
 
@@ -130,7 +130,7 @@ impl DiscOpening<'_> {
             if surface.mate_across(h) != NONE {
                 continue;
             }
-            let [u, v] = self.split_ends(surface, h).map(|v| v - first);
+            let [u, v] = self.ends_in_split_surface(surface, h).map(|v| v - first);
             sets.union(u, v);
             (on_border[u as usize], on_border[v as usize]) = (true, true);
         }
@@ -166,7 +166,7 @@ impl DiscOpening<'_> {
             if mate == NONE || h > mate {
                 continue;
             }
-            let [u, v] = self.split_ends(surface, h);
+            let [u, v] = self.ends_in_split_surface(surface, h);
             let is_of_tree =
                 [u, v].iter().any(|&v| self.search.path_ends_with(v, h) || self.search.path_ends_with(v, mate));
             if !is_of_tree {
@@ -183,7 +183,7 @@ impl DiscOpening<'_> {
             job.step_within(k, STAGE)?;
             if !joined.union(faces.face_of(h), faces.face_of(surface.mate_across(h))) {
                 alloc::push(&mut cuts, h)?;
-                for v in self.split_ends(surface, h) {
+                for v in self.ends_in_split_surface(surface, h) {
                     alloc::append(&mut cuts, &self.search.path_half_edges(v)?)?;
                 }
             }

@@ -55,7 +55,8 @@ impl<'a> EdgeLengths<'a> {
     }
 
     /// Returns the largest error of an edge in the plane, relative to its length, or to
-    /// [`MIN_RELATIVE_EDGE_LENGTH`] mean edges if that is longer. The result is NaN if a vertex lacks a position.
+    /// [`MIN_RELATIVE_EDGE_LENGTH`] mean edges if that is longer. The result is NaN if a vertex
+    /// lacks a position.
     fn largest_length_error(&self, x: &[DVec2], job: &Job<'_>) -> Result<f64> {
         let of = |[u, v]: [u32; 2]| {
             let wanted = self.chart.surface_distance(u, v);

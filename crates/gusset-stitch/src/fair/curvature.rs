@@ -14,7 +14,7 @@ const NORMAL_SMOOTHING_PASSES: u32 = 2;
 
 /// Sums over vertices.
 #[derive(Clone, Copy)]
-struct VertexSum {
+struct CurvatureSum {
     /// The Laplacian along the normal, times the area.
     bend: f64,
     /// The area of the vertices with a Laplacian.
@@ -28,8 +28,8 @@ struct VertexSum {
 ///
 /// Smoothing removes the ridges of a polyhedron, and keeps the bend of the whole. The Laplacians
 /// are not averaged as vectors, because the mean is too short where normals turn. The normals are
-/// averaged only in [`NORMAL_SMOOTHING_PASSES`] passes, because around a thin tube their mean vanishes.
-/// Vertices whose one-ring is not `closed` get the values of their neighbours.
+/// averaged only in [`NORMAL_SMOOTHING_PASSES`] passes, because around a thin tube their mean
+/// vanishes. Vertices whose one-ring is not `closed` get the values of their neighbours.
 ///
 /// `points` are in a unit of about their size; the result is in the reciprocal of that unit. Each
 /// of the `passes` averages over all neighbours, weighted by area; together they reach about 2
@@ -42,7 +42,7 @@ pub(crate) fn mean_curvature(
     job: &Job<'_>,
 ) -> Result<Vec<DVec3>> {
     let rings = OneRings::new(points, triangles, LaplacianWeights::Cotangent, &job.part(0.0, 0.0))?;
-    let mut sums = alloc::filled(VertexSum { bend: 0.0, area: 0.0, normal: DVec3::ZERO }, points.len())?;
+    let mut sums = alloc::filled(CurvatureSum { bend: 0.0, area: 0.0, normal: DVec3::ZERO }, points.len())?;
     for &corners in triangles {
         let [a, b, c] = corners.map(|v| points[v as usize]);
         corners.iter().for_each(|&v| sums[v as usize].normal += (b - a).cross(c - a) / 6.0);
@@ -60,17 +60,17 @@ pub(crate) fn mean_curvature(
             share.step_every(VERTICES_PER_REPORT, v, count, "refining")?;
             let share = 1.0 / (1.0 + rings.ring(v).len() as f64);
             let ring = rings.ring(v).iter().map(|&(w, _)| sums[w as usize]);
-            *mean = ring.fold(sums[v], |mean, sum| VertexSum {
+            *mean = ring.fold(sums[v], |mean, sum| CurvatureSum {
                 bend: mean.bend + sum.bend,
                 area: mean.area + sum.area,
                 normal: mean.normal + sum.normal,
             });
             let normal = if pass < NORMAL_SMOOTHING_PASSES { share * mean.normal } else { sums[v].normal };
-            *mean = VertexSum { bend: share * mean.bend, area: share * mean.area, normal };
+            *mean = CurvatureSum { bend: share * mean.bend, area: share * mean.area, normal };
         }
         std::mem::swap(&mut sums, &mut next);
     }
-    let mean = |sum: VertexSum| {
+    let mean = |sum: CurvatureSum| {
         if sum.area > 0.0 { sum.bend / sum.area * sum.normal.normalize_or_zero() } else { DVec3::ZERO }
     };
     alloc::collect(sums.into_iter().map(mean))

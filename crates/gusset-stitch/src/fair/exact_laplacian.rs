@@ -24,7 +24,7 @@ const VERTICES_PER_REPORT: usize = 1 << 12;
 /// Smallest ratio of a ring's width to its length; narrower rings are treated as this wide.
 const MIN_RING_WIDTH_RATIO: f64 = 1e-3;
 /// The functions x, y, x^2 / 2, y^2 / 2, x y.
-const CONDITION_COUNT: usize = 5;
+const CONDITIONS_PER_VERTEX: usize = 5;
 
 /// The rows and the columns of the Laplacian, for the neighbours of rings.
 pub(super) struct ExactLaplacian {
@@ -91,16 +91,16 @@ fn set_exact_weights(ring: &mut [(u32, f64)], normal: DVec3, leg: impl Fn(u32) -
     };
     let unit = x.1 * x.1;
     let laplacians = [0.0, 0.0, 1.0, unit / (y.1 * y.1), 0.0];
-    let mut lower = [[0.0; CONDITION_COUNT]; CONDITION_COUNT];
+    let mut lower = [[0.0; CONDITIONS_PER_VERTEX]; CONDITIONS_PER_VERTEX];
     let mut missing = laplacians.map(|laplacian| DVec3::new(laplacian, 0.0, 0.0));
     for &(w, weight) in &*ring {
         let values = conditions(w);
-        for i in 0..CONDITION_COUNT {
+        for i in 0..CONDITIONS_PER_VERTEX {
             missing[i].x -= values[i] * weight * unit;
             (0..=i).for_each(|j| lower[i][j] += values[i] * values[j]);
         }
     }
-    (0..CONDITION_COUNT).for_each(|i| lower[i][i] += CONDITION_SLACK);
+    (0..CONDITIONS_PER_VERTEX).for_each(|i| lower[i][i] += CONDITION_SLACK);
     cholesky::solve(&mut lower, &mut missing);
     for (w, weight) in ring {
         let values = conditions(*w);

@@ -34,11 +34,11 @@ pub(crate) struct Plate<'a> {
     /// the whole one-ring of each, including old neighbours.
     pub(crate) centres: &'a [bool],
     pub(crate) weights: LaplacianWeights,
-    /// The energy: the Laplacian, or, with [`LaplacianWeights::Cotangent`] only, its gradient. In the latter
-    /// case the fixed vertices next to those above are centres too.
+    /// The energy: the Laplacian, or, with [`LaplacianWeights::Cotangent`] only, its gradient. In
+    /// the latter case the fixed vertices next to those above are centres too.
     pub(crate) continuity: Continuity,
-    /// The rest shape of the plate; `None` for a flat one. Only with [`LaplacianWeights::Cotangent`] and
-    /// [`Continuity::C1`].
+    /// The rest shape of the plate; `None` for a flat one. Only with
+    /// [`LaplacianWeights::Cotangent`] and [`Continuity::C1`].
     pub(crate) shape: Option<RestShape<'a>>,
     /// Positions by which the vertices are ordered: evenly spread, with neighbours near each other;
     /// `None` for the points themselves. They affect time and memory, and the result only by
@@ -87,7 +87,7 @@ pub(crate) fn minimise_plate_energy(points: &mut [DVec3], plate: &Plate<'_>, job
     let couplings = PlateCouplings { rings: &rings, is_row: plate.centres, continuity: plate.continuity };
     dissect(&mut unknowns, plate.layout.unwrap_or(&local), couplings, &job.part(0.15, 0.2))?;
     let (matrix, mut moves) =
-        assemble_equations(&local, &rings, &unknowns, plate, (unit, origin), &job.part(0.2, 0.3))?;
+        assemble_plate_equations(&local, &rings, &unknowns, plate, (unit, origin), &job.part(0.2, 0.3))?;
     matrix.factor(&job.part(0.3, 0.9))?.solve(&mut moves, &job.part(0.9, 1.0))?;
     for (&v, &by) in unknowns.iter().zip(&moves) {
         let place = (local[v as usize] + by + origin) * unit;
@@ -125,7 +125,7 @@ fn anchored_vertices(rings: &OneRings, free: &[bool]) -> Result<Vec<u32>> {
 /// Returns the second derivative of the energy, in the order of `unknowns`, and its negative
 /// gradient, both halved. `points` are in `unit` from `origin`, and the plate's shape is in the
 /// original coordinates.
-fn assemble_equations(
+fn assemble_plate_equations(
     points: &[DVec3],
     rings: &OneRings,
     unknowns: &[u32],
@@ -161,21 +161,21 @@ fn assemble_equations(
         for (c, factor) in columns.row(v as usize).filter(|&(c, _)| centres[c]) {
             gradient += factor * bend[c];
             match plate.continuity {
-                Continuity::C1 => shares.add(c, factor * rings.energy_scale(c))?,
+                Continuity::C1 => shares.add_term(c, factor * rings.energy_scale(c))?,
                 Continuity::C2 => {
                     for (other, weight) in edges_to_centres(rings, centres, c) {
-                        shares.add(c, factor * weight)?;
-                        shares.add(other, -factor * weight)?;
+                        shares.add_term(c, factor * weight)?;
+                        shares.add_term(other, -factor * weight)?;
                     }
                 }
             }
         }
-        for (c, share) in shares.drain() {
+        for (c, share) in shares.drain_sums() {
             for (w, weight) in rows.row(c) {
                 let i = place[w] as usize;
                 // Skip vertices that are not unknowns.
                 if i <= k {
-                    column.add(i, share * weight)?;
+                    column.add_term(i, share * weight)?;
                 }
             }
         }
@@ -189,7 +189,7 @@ fn assemble_equations(
         moves.push(-gradient - strength * away);
         let mut diagonal = 0.0;
         alloc::reserve(&mut matrix.entries, column.len())?;
-        for (i, value) in column.drain() {
+        for (i, value) in column.drain_sums() {
             if i == k {
                 diagonal = value + strength;
             } else {
@@ -245,7 +245,7 @@ impl SparseSums {
         Ok(SparseSums { sums, has_terms, numbers: Vec::new() })
     }
 
-    fn add(&mut self, number: usize, value: f64) -> Result<()> {
+    fn add_term(&mut self, number: usize, value: f64) -> Result<()> {
         if !std::mem::replace(&mut self.has_terms[number], true) {
             alloc::push(&mut self.numbers, number as u32)?;
         }
@@ -259,7 +259,7 @@ impl SparseSums {
 
     /// Returns the indices with terms, in the order of their first terms, and their sums. Resets
     /// all sums.
-    fn drain(&mut self) -> impl Iterator<Item = (usize, f64)> {
+    fn drain_sums(&mut self) -> impl Iterator<Item = (usize, f64)> {
         let (sums, has_terms) = (&mut self.sums, &mut self.has_terms);
         self.numbers.drain(..).map(|number| {
             has_terms[number as usize] = false;

@@ -2,7 +2,7 @@
 
 use super::fill_request::{HoleStatus, Keep, Limits, Measures, Options, Selection};
 use crate::boundary::{Boundary, Loop, LoopFlags};
-use crate::stitch::{FreeEdges, check_loop};
+use crate::stitch::{FreeEdges, check_loop_indices};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -35,7 +35,7 @@ pub(super) fn choose_loops(
 }
 
 fn candidates_of_all_loops(mesh: &MeshView<'_>, boundary: &Boundary, options: &Options) -> Result<Vec<CandidateLoop>> {
-    let kept = is_kept_open(mesh, boundary, options.keep)?;
+    let kept = which_loops_are_kept_open(mesh, boundary, options.keep)?;
     let mut candidates = alloc::with_capacity(boundary.len())?;
     for (found, kept) in boundary.iter().zip(kept) {
         let measures = loop_measures(mesh, found.vertices);
@@ -50,7 +50,7 @@ fn candidates_of_all_loops(mesh: &MeshView<'_>, boundary: &Boundary, options: &O
 }
 
 /// Tells for each loop whether [`Keep`] leaves it open.
-fn is_kept_open(mesh: &MeshView<'_>, boundary: &Boundary, keep: Keep) -> Result<Vec<bool>> {
+fn which_loops_are_kept_open(mesh: &MeshView<'_>, boundary: &Boundary, keep: Keep) -> Result<Vec<bool>> {
     let mut kept = alloc::filled(false, boundary.len())?;
     let usable = |found: &Loop<'_>| status_of_flags(found.flags) == HoleStatus::Filled;
     match keep {
@@ -133,7 +133,7 @@ fn candidates_of_given_loops<'a>(
     let mut used = HashSet::new();
     let mut candidates = alloc::with_capacity(loops.len())?;
     for (number, given) in (0..).zip(loops) {
-        check_loop(mesh, number, given)?;
+        check_loop_indices(mesh, number, given)?;
         let mut vertices = alloc::copied(given)?;
         let mut status = status_of_given_loop(&edges, &vertices)?;
         let measures = loop_measures(mesh, &vertices);

@@ -1,7 +1,7 @@
 //! Sets of chords of a loop that a triangulation may use.
 //!
-//! [`AllChords`] has every chord. [`ChordsNearTriangulation`] has the chords near the sides of a coarser
-//! triangulation.
+//! [`AllChords`] has every chord. [`ChordsNearTriangulation`] has the chords near the sides of a
+//! coarser triangulation.
 
 use gusset_base::error::Result;
 use gusset_base::sort;
@@ -10,7 +10,7 @@ use gusset_base::sort::Buckets;
 /// Numbered chords (i, k), i < k, of a loop of n vertices, including the edges (i, i + 1). The
 /// chords (i, m) and (m, k) have smaller numbers than (i, k).
 pub(super) trait ChordSet {
-    fn count(&self) -> usize;
+    fn chord_count(&self) -> usize;
     fn find(&self, i: usize, k: usize) -> Option<usize>;
     /// Calls `visit` for every chord, in the order of the numbers.
     fn try_each(&self, visit: impl FnMut(usize, [usize; 2]) -> Result<()>) -> Result<()>;
@@ -27,7 +27,7 @@ fn chord_number(i: usize, k: usize) -> usize {
 }
 
 impl ChordSet for AllChords {
-    fn count(&self) -> usize {
+    fn chord_count(&self) -> usize {
         self.0 * (self.0 - 1) / 2
     }
 
@@ -102,7 +102,7 @@ impl ChordsNearTriangulation {
 }
 
 impl ChordSet for ChordsNearTriangulation {
-    fn count(&self) -> usize {
+    fn chord_count(&self) -> usize {
         self.first.len()
     }
 

@@ -35,7 +35,7 @@ const LOOPS_PER_REPORT: usize = 64;
 const MAX_LOOPS_PER_PATCH: usize = 16;
 /// Largest number of trials in all; a trial of short loops takes up to 50 ms. A note reports that
 /// pairs remain untried.
-const MAX_PAIR_TRIALS: usize = 256;
+const MAX_GROUP_PAIR_TRIALS: usize = 256;
 
 /// The triangulation of a group; `None` if none was found.
 type GroupTriangulation = Option<Vec<[u32; 3]>>;
@@ -96,8 +96,15 @@ pub(super) fn group_by_cost(
     let owner = alloc::collect(0..loops.len())?;
     // Each merge adds one group, and there are fewer merges than loops.
     let joined = alloc::with_capacity(2 * loops.len())?;
-    let mut search =
-        GroupSearch { surroundings, loops, partners, weight, groups: joined, owner, trials: Some(MAX_PAIR_TRIALS) };
+    let mut search = GroupSearch {
+        surroundings,
+        loops,
+        partners,
+        weight,
+        groups: joined,
+        owner,
+        trials: Some(MAX_GROUP_PAIR_TRIALS),
+    };
     search.find_partner_groups(&boxes, &job.part(0.1, 0.3))?;
     search.merge_groups(&job.part(0.3, 1.0))?;
     let joined = search.groups.iter().flatten().map(|group| {
@@ -164,17 +171,17 @@ impl GroupSearch<'_> {
         Ok(())
     }
 
-    fn loops_of(&self, group: usize) -> &[usize] {
+    fn loops_of_group(&self, group: usize) -> &[usize] {
         self.groups[group].as_ref().map_or(&[], |group| &group.loops)
     }
 
     /// Returns the pairs of a group with its partner groups, nearest first.
     fn pairs_to_try(&self, group: usize) -> Result<Vec<NearPair>> {
-        let own = self.loops_of(group);
+        let own = self.loops_of_group(group);
         let mut neighbours = Vec::new();
         for &(k, distance) in own.iter().flat_map(|&k| &self.partners[k]) {
             let other = self.owner[k];
-            if other != group && own.len() + self.loops_of(other).len() <= MAX_LOOPS_PER_PATCH {
+            if other != group && own.len() + self.loops_of_group(other).len() <= MAX_LOOPS_PER_PATCH {
                 alloc::push(&mut neighbours, (other, distance))?;
             }
         }
@@ -209,14 +216,14 @@ impl GroupSearch<'_> {
     fn triangulate_groups_together(&mut self, groups: [usize; 2], job: &Job<'_>) -> Result<Option<GroupPair>> {
         let mut loops = Vec::new();
         for group in groups {
-            alloc::append(&mut loops, self.loops_of(group))?;
+            alloc::append(&mut loops, self.loops_of_group(group))?;
         }
         let Some((rim, Some(triangles))) = self.triangulate_loops(&loops, job)? else {
             return Ok(None);
         };
         let [one, other] = groups.map(|group| self.groups[group].as_ref().and_then(|group| group.triangles.as_deref()));
         let gain = if let (Some(one), Some(other)) = (one, other) {
-            let first: usize = self.loops_of(groups[0]).iter().map(|&k| self.loops[k].len()).sum();
+            let first: usize = self.loops_of_group(groups[0]).iter().map(|&k| self.loops[k].len()).sum();
             let mut apart = alloc::copied(one)?;
             alloc::extend(&mut apart, other.iter().map(|triangle| triangle.map(|v| v + first as u32)))?;
             let polygons = rim.loop_polygons()?;
@@ -262,8 +269,8 @@ fn compare_by_distance_then_index<T: Ord>((i, a): &(T, BoxDistance), (k, b): &(T
 
 /// Returns the pairs of nearby boxes, nearest first.
 ///
-/// Each box proposes its nearest boxes. At most [`MAX_LOOPS_PER_PATCH`] boxes may propose one box: otherwise
-/// the border of a sheet would be near all holes in it.
+/// Each box proposes its nearest boxes. At most [`MAX_LOOPS_PER_PATCH`] boxes may propose one box:
+/// otherwise the border of a sheet would be near all holes in it.
 fn find_nearby_pairs(boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<NearPair>> {
     let rooms = alloc::collect(boxes.iter().map(|around| around.inflated(RELATIVE_BOX_MARGIN * around.diagonal())))?;
     let order = spatial_order(&rooms, 1, &job.part(0.0, 0.2), "triangulating holes")?;

@@ -56,7 +56,7 @@ impl PatchRim {
         let unit = common_unit(points);
         let origin = points[0] / unit;
         let points = alloc::collect(points.iter().map(|&p| p / unit - origin))?;
-        PatchRim::from_scaled((origin, unit), points, lengths, faces, (across, whole))
+        PatchRim::from_scaled_points((origin, unit), points, lengths, faces, (across, whole))
     }
 
     /// Creates the rim of a part with one loop, from points in the unit and from the origin of this
@@ -69,10 +69,10 @@ impl PatchRim {
         whole: Vec<bool>,
     ) -> Result<PatchRim> {
         let lengths = vec![whole.len()];
-        PatchRim::from_scaled((self.origin, self.unit), points, lengths, faces, (across, whole))
+        PatchRim::from_scaled_points((self.origin, self.unit), points, lengths, faces, (across, whole))
     }
 
-    fn from_scaled(
+    fn from_scaled_points(
         (origin, unit): (DVec3, f64),
         points: Vec<DVec3>,
         lengths: Vec<usize>,

@@ -131,9 +131,9 @@ const MAX_RELATIVE_EQUAL_AREA_DIFFERENCE: f64 = 1e-14;
 /// because a bend of 0 is the square root of a rounding error.
 const MAX_EQUAL_ANGLE_SUM_DIFFERENCE: f64 = 1e-6;
 /// A triangle is degenerate if its doubled area is at most this fraction of its sides' squares.
-const MAX_FLAT_RATIO: f64 = 1e-10;
+const MAX_DEGENERATE_AREA_RATIO: f64 = 1e-10;
 /// The ends of a side coincide if its length is at most this fraction of the triangle's size.
-const MAX_SEAM_RATIO: f64 = 1e-10;
+const MAX_COINCIDENT_END_RATIO: f64 = 1e-10;
 /// Number of steps of [`TriangulationCost::bend`] per unit of 1 - cosine.
 const BEND_STEPS_PER_COSINE: f64 = (1 << 20) as f64;
 
@@ -243,7 +243,7 @@ impl<'a> CostScale<'a> {
     ) -> Option<(DVec3, TriangulationCost)> {
         let squared = |a: usize, b: usize| self.polygon.points[a].distance_squared(self.polygon.points[b]);
         let [first, second, third] = [squared(i, m), squared(m, k), squared(k, i)];
-        let none = MAX_SEAM_RATIO * MAX_SEAM_RATIO * (first + second + third);
+        let none = MAX_COINCIDENT_END_RATIO * MAX_COINCIDENT_END_RATIO * (first + second + third);
         if !self.bridges.is_empty() {
             None
         } else if third <= none {
@@ -264,11 +264,11 @@ impl<'a> CostScale<'a> {
         let cross = (q - p).cross(r - p);
         let double_area = cross.length();
         let sides = p.distance_squared(q) + q.distance_squared(r) + r.distance_squared(p);
-        let flat = double_area <= MAX_FLAT_RATIO * sides;
+        let flat = double_area <= MAX_DEGENERATE_AREA_RATIO * sides;
         let normal = if flat { DVec3::ZERO } else { cross / double_area };
         // A seam between two coincident sides is not degenerate; see `seam`.
         let shortest = p.distance_squared(q).min(q.distance_squared(r)).min(r.distance_squared(p));
-        let flat = flat && shortest > MAX_SEAM_RATIO * MAX_SEAM_RATIO * sides;
+        let flat = flat && shortest > MAX_COINCIDENT_END_RATIO * MAX_COINCIDENT_END_RATIO * sides;
         let [x, y, z] = bulges;
         let value = match self.weight {
             Weight::Continuation => (x * x + y * y + z * z + x * y + y * z + z * x) / (6.0 * self.measure.triangles),

@@ -37,12 +37,12 @@ const CHORDS_PER_REPORT: usize = 1 << 12;
 /// Returns the triangles (i, m, k), i < m < k, of the triangulation of least weight without a
 /// `taken` chord; `None` if none is found.
 ///
-/// By area the result is optimal for up to [`MAX_EXACT_VERTICES`] vertices. Bends are treated as in Liepa:
-/// each part of the loop keeps its own best triangulation, which ignores the triangle beyond its
-/// chord.
+/// By area the result is optimal for up to [`MAX_EXACT_VERTICES`] vertices. Bends are treated as in
+/// Liepa: each part of the loop keeps its own best triangulation, which ignores the triangle beyond
+/// its chord.
 ///
-/// O(n^3) time for n <= [`MAX_EXACT_VERTICES`], O(n) for longer loops; 30 n^2 bytes, or about 3 kB per
-/// vertex.
+/// O(n^3) time for n <= [`MAX_EXACT_VERTICES`], O(n) for longer loops; 30 n^2 bytes, or about 3 kB
+/// per vertex.
 pub(super) fn minimum_weight_triangulation(
     polygon: &Polygon,
     weight: Weight,
@@ -133,9 +133,9 @@ pub(super) fn best_triangulation(
     let polygon = scale.polygon();
     let n = polygon.points.len();
     let none = ChordCell { cost: TriangulationCost::ZERO, apex: NO_APEX, normal: DVec3::ZERO, bulge: 0.0 };
-    let mut cells = alloc::filled(none, chords.count())?;
+    let mut cells = alloc::filled(none, chords.chord_count())?;
     chords.try_each(|number, [i, k]| {
-        job.step_every(CHORDS_PER_REPORT, number, chords.count(), "triangulating holes")?;
+        job.step_every(CHORDS_PER_REPORT, number, chords.chord_count(), "triangulating holes")?;
         if k == i + 1 {
             cells[number] =
                 ChordCell { apex: i as u32, normal: polygon.across[i], bulge: scale.chord_bulge(i, k), ..none };

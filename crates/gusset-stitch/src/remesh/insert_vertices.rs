@@ -5,10 +5,10 @@
 //! Üngör, *Off-centers* (2004).
 //!
 //! A triangle is refined if its circumcircle is too large for the sizes of its corners, or if its
-//! least angle is below [`MIN_TRIANGLE_ANGLE`]. The new vertex lies at its circumcentre, or nearer, where it
-//! makes a good triangle with the shortest side. The place is found by unfolding the triangles on
-//! the way into one plane. Rim edges cannot be split: a place that would see one under a flat angle
-//! is rejected.
+//! least angle is below [`MIN_TRIANGLE_RADIANS`]. The new vertex lies at its circumcentre, or
+//! nearer, where it makes a good triangle with the shortest side. The place is found by unfolding
+//! the triangles on the way into one plane. Rim edges cannot be split: a place that would see one
+//! under a flat angle is rejected.
 
 use super::ELEMENTS_PER_REPORT;
 use super::patch_mesh::PatchMesh;
@@ -19,10 +19,10 @@ use gusset_base::geom::triangle::{double_area, min_angle};
 use gusset_base::job::Job;
 
 /// Triangles with a smaller angle are refined; in radians, 25 degrees.
-const MIN_TRIANGLE_ANGLE: f64 = 25.0 * std::f64::consts::PI / 180.0;
+const MIN_TRIANGLE_RADIANS: f64 = 25.0 * std::f64::consts::PI / 180.0;
 /// The height of a good triangle over its shortest side, in lengths of this side. It is 0.95 of 1 /
-/// (2 tan(MIN_TRIANGLE_ANGLE / 2)). At the full height the angle would be [`MIN_TRIANGLE_ANGLE`] itself, and
-/// round-off would decide whether it is sharp.
+/// (2 tan(MIN_TRIANGLE_RADIANS / 2)). At the full height the angle would be
+/// [`MIN_TRIANGLE_RADIANS`] itself, and round-off would decide whether it is sharp.
 const OFF_CENTRE_HEIGHT_RATIO: f64 = 0.95 * 2.2553542518310286;
 /// Largest circumradius relative to the size; an equilateral triangle has 0.577.
 const MAX_CIRCUMRADIUS_IN_SIZES: f64 = 0.85;
@@ -50,8 +50,8 @@ struct NewVertexPlace {
 }
 
 /// Refines a mesh: inserts vertices until no triangle is larger than its size or sharper than
-/// [`MIN_TRIANGLE_ANGLE`], as far as the rim (the vertices below `rim`) allows. For `taken` see
-/// [`PatchMesh::relax`].
+/// [`MIN_TRIANGLE_RADIANS`], as far as the rim (the vertices below `rim`) allows. For `taken` see
+/// [`PatchMesh::flip_edges_to_delaunay`].
 ///
 /// O(passes * triangles), times the number of triangles at a vertex.
 pub(crate) fn refine_by_insertion(
@@ -99,7 +99,7 @@ fn place_of_wanted_vertex(mesh: &PatchMesh, t: usize, sizing: &VertexSizes) -> O
     let longest = sides[0].max(sides[1]).max(sides[2]);
     let large = longest > MAX_SIDE_LENGTH_IN_SIZES * size
         || (radius > MAX_CIRCUMRADIUS_IN_SIZES * size && e >= MIN_SHORTEST_SIDE_IN_SIZES * size);
-    let sharp = || e >= sizing.shortest * size && min_angle(corners[0], corners[1], corners[2]) < MIN_TRIANGLE_ANGLE;
+    let sharp = || e >= sizing.shortest * size && min_angle(corners[0], corners[1], corners[2]) < MIN_TRIANGLE_RADIANS;
     if !large && !sharp() {
         return None;
     }

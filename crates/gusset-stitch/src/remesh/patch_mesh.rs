@@ -142,7 +142,7 @@ impl PatchMesh {
         }
     }
 
-    /// Returns true for a triangle that [`PatchMesh::collapse`] removed.
+    /// Returns true for a triangle that [`PatchMesh::collapse_edge`] removed.
     pub(crate) fn is_removed(&self, t: usize) -> bool {
         self.triangles[t][0] == NONE
     }

@@ -35,7 +35,7 @@ impl CornerOrigins {
     }
 
     /// Selects the origins of the corners `left` of an intermediate mesh; `None` keeps all.
-    pub(super) fn selected(self, left: Option<&[u32]>) -> Result<CornerOrigins> {
+    pub(super) fn select_corners(self, left: Option<&[u32]>) -> Result<CornerOrigins> {
         let Some(left) = left else { return Ok(self) };
         let mut all = CornerOrigins { corners: alloc::with_capacity(left.len())?, on_edges: Vec::new() };
         for &corner in left {
@@ -45,7 +45,7 @@ impl CornerOrigins {
     }
 
     /// Replaces old corners by their own origins `left`; `None` keeps them.
-    pub(crate) fn rebased(mut self, left: Option<&[u32]>) -> CornerOrigins {
+    pub(crate) fn composed_with_earlier(mut self, left: Option<&[u32]>) -> CornerOrigins {
         if let Some(left) = left {
             self.corners.iter_mut().for_each(|corner| *corner = left[*corner as usize]);
             self.on_edges.iter_mut().for_each(|on| on.end = left[on.end as usize]);

@@ -148,7 +148,8 @@ impl Sew {
     fn follow_second_weld(&mut self, split: SplitMesh, weld: Weld) -> Result<()> {
         let before = self.corner_origins.take();
         let left = before.as_ref().map(|origins| &origins.corners[..]);
-        self.corner_origins = Some(split.corner_origins.selected(weld.corners_left.as_deref())?.rebased(left));
+        self.corner_origins =
+            Some(split.corner_origins.select_corners(weld.corners_left.as_deref())?.composed_with_earlier(left));
         self.list_new_vertices(&split.new_vertices, &weld)?;
         self.splits = (split.mesh.positions.len() - self.mesh.positions.len()) as u32;
         let mut origin = alloc::with_capacity(weld.mesh.face_count())?;

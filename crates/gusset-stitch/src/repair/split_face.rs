@@ -71,7 +71,7 @@ impl SplitFace {
 
 /// Returns true if all parts of a triangle have its orientation; true for larger faces. Old
 /// vertices at the new places give the positions.
-pub(super) fn is_upright(mesh: &MeshView<'_>, f: usize, split: &SplitFace) -> bool {
+pub(super) fn has_upright_parts(mesh: &MeshView<'_>, f: usize, split: &SplitFace) -> bool {
     if mesh.faces().range(f).len() != 3 {
         return true;
     }

@@ -17,7 +17,7 @@
 //! comparison takes as much again; there are at most [`MAX_SPLIT_FILTER_PASSES`].
 
 use super::sew_edges::{free_vertices, is_free};
-use super::split_face::{SplitFace, is_upright};
+use super::split_face::{SplitFace, has_upright_parts};
 use super::vertex_clusters::VertexClusters;
 use super::weld_tolerance::{ToleranceSource, WeldTolerance};
 use glam::DVec3;
@@ -256,7 +256,7 @@ impl FreeBorder<'_> {
             let places =
                 of_face.iter().map(|split| (self.edges[split.edge as usize].half_edge, split.at, split.vertex));
             split_face.set_face(self.mesh, f, places)?;
-            let fits = is_upright(self.mesh, f, &split_face);
+            let fits = has_upright_parts(self.mesh, f, &split_face);
             upright.extend(of_face.iter().map(|_| fits));
         }
         let mut fits = upright.into_iter();

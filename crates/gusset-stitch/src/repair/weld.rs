@@ -194,7 +194,7 @@ fn rebuild_mesh(mesh: &MeshView<'_>, representative: &[u32], options: &Options, 
     face_corners.iter().for_each(|&v| stays[v as usize] = true);
     if faces.is_merged() {
         // Keep the split vertices of merged faces, which are restored later.
-        let mut stay = |h| stays[representative[faces.split_corner(h) as usize] as usize] = true;
+        let mut stay = |h| stays[representative[faces.corner_before_merging(h) as usize] as usize] = true;
         match options.collapse {
             true => left.iter().copied().for_each(&mut stay),
             false => (0..faces.half_edge_count() as u32).for_each(&mut stay),

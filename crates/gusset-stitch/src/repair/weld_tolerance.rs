@@ -3,9 +3,9 @@
 //!
 //! Two causes are considered, and the larger applies:
 //!
-//! * **The scalar type**: [`ROUND_OFF_ULPS`] units in the last place of the largest coordinate, which is
-//!   2^-19 of its magnitude for 32 bits and 2^-48 for 64. In 32 bits this covers numbers written
-//!   with seven significant digits, for any first digit: sqrt 3 units of 1e-6.
+//! * **The scalar type**: [`ROUND_OFF_ULPS`] units in the last place of the largest coordinate,
+//!   which is 2^-19 of its magnitude for 32 bits and 2^-48 for 64. In 32 bits this covers numbers
+//!   written with seven significant digits, for any first digit: sqrt 3 units of 1e-6.
 //! * **The visible digits**, for files with fewer digits than the type holds. A decimal step u =
 //!   10^p is visible if at least a third of the non-round coordinates are multiples of u, up to
 //!   rounding. The coarsest visible step applies. With one more digit, a tenth are multiples by
@@ -16,8 +16,8 @@
 //!   axis, and sqrt 3 u in space. The tolerance is 2 u, because conversions round too.
 //!
 //! **Edges do not collapse**: the reach of each vertex is the tolerance, limited to
-//! [`MAX_REACH_TO_EDGE_RATIO`] of the shortest edge at the vertex. Vertices within mutual reach are at most
-//! half that edge apart. O(V + H) time.
+//! [`MAX_REACH_TO_EDGE_RATIO`] of the shortest edge at the vertex. Vertices within mutual reach are
+//! at most half that edge apart. O(V + H) time.
 
 use gusset_base::alloc;
 use gusset_base::error::Result;

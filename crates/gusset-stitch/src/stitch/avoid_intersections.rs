@@ -7,7 +7,7 @@
 //! first of equals.
 
 use super::existing_edges::ExistingEdges;
-use super::meridian::{Meridians, Pair, StepPenalty};
+use super::meridian::{MeridianEnds, Meridians, StepPenalty};
 use super::stitch_request::Options;
 use super::strip::{Strip, meridians_from_given_start, meridians_near_path};
 use super::strip_neighbourhood::{IntersectingTriangles, StripNeighbourhood};
@@ -108,7 +108,12 @@ struct AvoidanceSearch<'a, T> {
 
 impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> AvoidanceSearch<'_, T> {
     /// Tries strips until one is free of intersections, or no other strip is left. Keeps the best.
-    fn try_strips(&mut self, best: &mut IntersectingTriangles, kept: &mut Vec<Pair>, job: &Job<'_>) -> Result<()> {
+    fn try_strips(
+        &mut self,
+        best: &mut IntersectingTriangles,
+        kept: &mut Vec<MeridianEnds>,
+        job: &Job<'_>,
+    ) -> Result<()> {
         let Some(first) =
             meridians_from_given_start(&self.strip.a, &self.strip.b, self.existing, self.options, &job.part(0.0, 0.1))?
         else {
@@ -155,7 +160,7 @@ impl<T: Fn(&Strip, &Job<'_>) -> Result<IntersectingTriangles>> AvoidanceSearch<'
     /// Adds penalties to the steps whose triangles intersect.
     fn penalise_intersecting_steps(
         &self,
-        path: &[Pair],
+        path: &[MeridianEnds],
         found: &IntersectingTriangles,
         unit: f64,
         penalties: &mut Vec<StepPenalty>,

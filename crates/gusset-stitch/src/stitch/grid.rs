@@ -11,7 +11,7 @@
 //! P(r+1, c) -> P(r+1, c+1).
 
 use super::existing_edges::ExistingEdges;
-use super::meridian::Pair;
+use super::meridian::MeridianEnds;
 use super::stitch_rim::Rim;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -44,7 +44,7 @@ impl MeridianGrid {
     ///
     /// # Errors
     /// [`Error::TooLarge`], [`Error::OutOfMemory`].
-    pub(super) fn new(a: &Rim, b: &Rim, pairs: &[Pair], rows: u32) -> Result<MeridianGrid> {
+    pub(super) fn new(a: &Rim, b: &Rim, pairs: &[MeridianEnds], rows: u32) -> Result<MeridianGrid> {
         let (n, m) = (a.vertices.len(), b.vertices.len());
         let columns = pairs.len();
         // A single meridian spans no face, and gets no rows.

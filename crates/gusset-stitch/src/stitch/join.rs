@@ -47,7 +47,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     if matches!(options.extent, Extent::OpenArcs | Extent::Arcs(_)) {
         Error::require(options.twist == 0, "twist", options.twist as f64)?;
     }
-    let Rims { mut a, mut b, unit } = choose_rims(request, &job.part(0.0, 0.35))?;
+    let RimsInCommonUnit { mut a, mut b, unit } = choose_rims(request, &job.part(0.0, 0.35))?;
     cut_arcs(request, options, [&mut a, &mut b], unit, &job.part(0.35, 0.4))?;
     let existing = match request.b {
         Some(_) => ExistingEdges::empty(),
@@ -66,7 +66,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
             None => "the loops' components disagree in orientation: that of the second loop has been turned over",
         });
     }
-    options.note_unread(job);
+    options.note_unread_options(job);
     let options = &options.strip_options();
 
     // Combine both pieces in one mesh. Only the component of rim B is turned over.
@@ -94,7 +94,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
         b.adapt_to_turned_surface();
     }
     b.reverse();
-    let mean_side = || whole.mean_side() / unit;
+    let mean_side = || whole.mean_side_length() / unit;
     let mut strip = Strip::build(a, b, &existing, options, mean_side, &job.part(0.4, 0.6))?;
     let checked = fair_and_check(&whole, &mut strip, unit, &existing, options, &job.part(0.6, 0.75))?;
     job.step(0.75, "putting the pieces together")?;
@@ -160,13 +160,13 @@ fn cut_arcs(request: &Request<'_>, options: &Options, [a, b]: [&mut Rim; 2], uni
 }
 
 /// Two rims, each with its surface on the left, in a common unit.
-struct Rims {
+struct RimsInCommonUnit {
     a: Rim,
     b: Rim,
     unit: f64,
 }
 
-fn choose_rims(request: &Request<'_>, job: &Job<'_>) -> Result<Rims> {
+fn choose_rims(request: &Request<'_>, job: &Job<'_>) -> Result<RimsInCommonUnit> {
     let options = boundary::Options::default();
     let boundary_a = boundary_loops(request.a, &options, &job.part(0.0, 0.4))?;
     let second = request.b.map(|b| boundary_loops(b, &options, &job.part(0.4, 0.8))).transpose()?;
@@ -182,10 +182,10 @@ fn choose_rims(request: &Request<'_>, job: &Job<'_>) -> Result<Rims> {
     let unit = common_unit(a.iter().chain(&b).flat_map(|rim| &rim.points));
     a.iter_mut().chain(&mut b).flat_map(|rim| &mut rim.points).for_each(|p| *p /= unit);
     if request.loop_a.is_some() && request.loop_b.is_some() {
-        return Ok(Rims { a: a.swap_remove(0), b: b.swap_remove(0), unit });
+        return Ok(RimsInCommonUnit { a: a.swap_remove(0), b: b.swap_remove(0), unit });
     }
     let (a, b) = remove_nearest_pair(a, b, request.b.is_none(), &job.part(0.8, 1.0))?;
-    Ok(Rims { a, b, unit })
+    Ok(RimsInCommonUnit { a, b, unit })
 }
 
 /// Returns true if the second piece must be turned over.

@@ -52,7 +52,7 @@ pub mod stitch_rim;
 pub mod strip;
 
 pub(crate) use combine::faces_as_mesh;
-pub(crate) use stitch_rim::{FreeEdges, check_loop};
+pub(crate) use stitch_rim::{FreeEdges, check_loop_indices};
 
 pub use extent::Extent;
 pub use first_meridian::Start;

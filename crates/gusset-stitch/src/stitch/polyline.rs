@@ -39,7 +39,7 @@ pub fn lengths(points: &[DVec3], closed: bool) -> Result<Vec<f64>> {
 }
 
 /// Returns the point nearest to `p` on the two edges of a polyline that meet at point `v`.
-pub fn nearest_beside(points: &[DVec3], closed: bool, v: usize, p: DVec3) -> DVec3 {
+pub fn nearest_point_on_adjacent_edges(points: &[DVec3], closed: bool, v: usize, p: DVec3) -> DVec3 {
     let n = points.len();
     let here = points[v];
     let on_edge = |other: DVec3| {

@@ -4,7 +4,7 @@
 use super::existing_edges::ExistingEdges;
 use super::facing::check_points;
 use super::first_meridian::Start;
-use super::meridian::{MeridianSearch, Meridians, Pair};
+use super::meridian::{MeridianEnds, MeridianSearch, Meridians};
 use super::stitch_request::{Cells, Options, Rows};
 use super::stitch_rim::Rim;
 use super::strip::{Strip, meridians_from_given_start};
@@ -41,7 +41,7 @@ pub struct Ruled {
     /// The meridians as places counted from the first meridian. Between closed polylines of N and M
     /// points they run from (0, 0) to (N, M), where place N is place 0 again. Between open ones
     /// they run to (N - 1, M - 1).
-    pub meridians: Vec<Pair>,
+    pub meridians: Vec<MeridianEnds>,
     /// A's points, then B's, then the new ones row by row. Faces run A_i+1, A_i, B_j: against
     /// polyline A, and along B.
     pub mesh: Mesh,

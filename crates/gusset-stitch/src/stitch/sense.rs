@@ -16,7 +16,7 @@ const SAMPLES_PER_RIM: usize = 64;
 
 /// Smallest significant difference, relative to the rims' own spread. Below it the rims double back
 /// on themselves, or are nearly mirror images.
-const MIN_RELATIVE_MARGIN: f64 = 0.01;
+const MIN_RELATIVE_DECISION_MARGIN: f64 = 0.01;
 
 /// Returns true if rims `a` and `b` clearly run the same way, so that their surfaces disagree in
 /// orientation.
@@ -31,7 +31,7 @@ fn do_rims_run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
     };
     let (same, opposite) = (best(1), best(SAMPLES_PER_RIM - 1));
     let spread = |s: &[DVec3]| s.iter().map(|v| v.length_squared()).sum::<f64>();
-    Ok(2.0 * (same - opposite) > MIN_RELATIVE_MARGIN * (spread(&p) + spread(&q)))
+    Ok(2.0 * (same - opposite) > MIN_RELATIVE_DECISION_MARGIN * (spread(&p) + spread(&q)))
 }
 
 /// Returns true if the surfaces of whole rims `a` and `b`, each with its surface on the left,
@@ -42,16 +42,16 @@ fn do_rims_run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
 /// U-bend, each rim is judged by itself. The criterion is whether its surface lies on the left,
 /// seen from the outward direction. All ends of an oriented surface give the same answer.
 pub fn rims_disagree(a: &Rim, b: &Rim) -> Result<bool> {
-    let leads = |rim: &Rim| rim.outward.length() > MIN_MEAN_DIRECTION;
+    let leads = |rim: &Rim| rim.outward.length() > MIN_MEAN_DIRECTION_LENGTH;
     if leads(a) && leads(b) && a.outward.dot(b.outward) > 0.0 && !is_nested(&a.points, &b.points) {
         let (u, v) = (outward_cosine(a), outward_cosine(b));
-        return Ok(u.abs().min(v.abs()) > MIN_MEAN_DIRECTION && u * v < 0.0);
+        return Ok(u.abs().min(v.abs()) > MIN_MEAN_DIRECTION_LENGTH && u * v < 0.0);
     }
     do_rims_run_the_same_way(&a.points, &b.points)
 }
 
 /// A rim has an outward direction if the mean of its unit vectors is longer than this.
-const MIN_MEAN_DIRECTION: f64 = 0.3;
+const MIN_MEAN_DIRECTION_LENGTH: f64 = 0.3;
 
 /// Returns the cosine of the angle between a rim's area vector and its outward direction.
 fn outward_cosine(rim: &Rim) -> f64 {
@@ -73,7 +73,7 @@ pub fn arcs_run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
     let (p, q) = (samples_by_arc_length(a, false, SAMPLES_PER_RIM)?, samples_by_arc_length(b, false, SAMPLES_PER_RIM)?);
     let apart = |at: fn(usize) -> usize| (0..SAMPLES_PER_RIM).map(|k| p[k].distance_squared(q[at(k)])).sum::<f64>();
     let (same, opposite) = (apart(|k| k), apart(|k| SAMPLES_PER_RIM - 1 - k));
-    Ok(opposite - same > MIN_RELATIVE_MARGIN * (opposite + same))
+    Ok(opposite - same > MIN_RELATIVE_DECISION_MARGIN * (opposite + same))
 }
 
 /// Returns samples of a closed polyline, centred at the origin.

@@ -44,7 +44,7 @@ impl Rim {
 
     /// Creates a rim from a loop given by the caller, in either direction.
     pub(super) fn from_vertices(mesh: &MeshView<'_>, edges: &FreeEdges, vertices: &[u32], side: Side) -> Result<Rim> {
-        check_loop(mesh, side as u32, vertices)?;
+        check_loop_indices(mesh, side as u32, vertices)?;
         let count = vertices.len();
         if count < 3 {
             return Err(Error::LoopTooShort { side, count: count as u32 });
@@ -205,7 +205,7 @@ pub fn shared_vertex(a: &Rim, b: &Rim) -> Result<Option<u32>> {
 
 /// Checks that a mesh has all vertices of the caller's loop `number`. Fails with
 /// [`Error::LoopIndexOutOfRange`].
-pub(crate) fn check_loop(mesh: &MeshView<'_>, number: u32, vertices: &[u32]) -> Result<()> {
+pub(crate) fn check_loop_indices(mesh: &MeshView<'_>, number: u32, vertices: &[u32]) -> Result<()> {
     match (0..).zip(vertices).find(|&(_, &vertex)| vertex as usize >= mesh.positions().len()) {
         Some((place, &vertex)) => Err(Error::LoopIndexOutOfRange { number, place, vertex }),
         None => Ok(()),

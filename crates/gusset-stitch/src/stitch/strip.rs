@@ -4,7 +4,7 @@ use super::existing_edges::ExistingEdges;
 use super::first_meridian::{Start, closest_vertex_pair, vertex_pair_by_best_rotation};
 use super::grid::{FaceList, MeridianGrid};
 use super::meridian::{
-    self, MeridianChoice, Meridians, Pair, RimPair, StepPenalty, choose_meridians, choose_meridians_near_path,
+    self, MeridianChoice, MeridianEnds, Meridians, RimPair, StepPenalty, choose_meridians, choose_meridians_near_path,
     sorted_forbidden_nodes,
 };
 use super::stitch_request::{Cells, Options, Rows};
@@ -15,7 +15,7 @@ use gusset_base::job::Job;
 use gusset_base::par;
 
 /// A second start is used if its relative gain exceeds this.
-const MIN_RELATIVE_GAIN: f64 = 1.0 / (1 << 20) as f64;
+const MIN_RELATIVE_GAIN_OF_SECOND_START: f64 = 1.0 / (1 << 20) as f64;
 
 /// Lattices with fewer nodes are searched on one thread.
 const MIN_NODES_PER_THREAD: usize = 1 << 14;
@@ -25,7 +25,7 @@ pub(crate) struct Strip {
     /// The rims, side by side from the first meridian on.
     pub(crate) a: Rim,
     pub(crate) b: Rim,
-    pub(crate) meridians: Vec<Pair>,
+    pub(crate) meridians: Vec<MeridianEnds>,
     pub(crate) grid: MeridianGrid,
     pub(crate) faces: FaceList,
     /// The parents of each new vertex.
@@ -79,7 +79,7 @@ impl Strip {
     pub(super) fn from_meridians(
         a: Rim,
         b: Rim,
-        meridians: Vec<Pair>,
+        meridians: Vec<MeridianEnds>,
         existing: &ExistingEdges,
         options: &Options,
         mean_side: impl Fn() -> f64,
@@ -110,7 +110,7 @@ impl Strip {
     /// [`Error::NoStrip`], [`Error::OutOfMemory`].
     pub(super) fn set_meridians(
         &mut self,
-        meridians: Vec<Pair>,
+        meridians: Vec<MeridianEnds>,
         existing: &ExistingEdges,
         options: &Options,
     ) -> Result<()> {
@@ -133,7 +133,7 @@ fn choose_best_first_meridian(
     existing: &ExistingEdges,
     options: &Options,
     job: &Job<'_>,
-) -> Result<Vec<Pair>> {
+) -> Result<Vec<MeridianEnds>> {
     let none = Error::NoStrip { vertex: a.vertices[0] };
     let count = b.vertices.len();
     let (i, j) = closest_vertex_pair(a, b, existing, &job.part(0.0, 0.2))?.ok_or(none)?;
@@ -164,7 +164,7 @@ fn choose_best_first_meridian(
         |job| meridians_from_given_start(&other_a, &other_b, existing, options, job),
     )?;
     let is_better = |other: &MeridianChoice| match &first {
-        Some(first) => other.cost < first.cost * (1.0 - MIN_RELATIVE_GAIN),
+        Some(first) => other.cost < first.cost * (1.0 - MIN_RELATIVE_GAIN_OF_SECOND_START),
         None => true,
     };
     match other.filter(is_better) {
@@ -193,7 +193,7 @@ pub(super) fn meridians_near_path(
     b: &Rim,
     existing: &ExistingEdges,
     options: &Options,
-    path: &[Pair],
+    path: &[MeridianEnds],
     penalties: &[StepPenalty],
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
@@ -213,7 +213,7 @@ fn with_rim_pair<T>(
     let (n, m) = (a.vertices.len() as u32, b.vertices.len() as u32);
     // With interior rows, no meridian is a single edge.
     let forbidden = match options.rows {
-        Rows::None => sorted_forbidden_nodes(existing.nodes(a, b)?.into_iter(), n, m, a.closed)?,
+        Rows::None => sorted_forbidden_nodes(existing.lattice_nodes(a, b)?.into_iter(), n, m, a.closed)?,
         _ => Vec::new(),
     };
     let (line_a, line_b) = (a.closed_points()?, b.closed_points()?);

@@ -89,7 +89,7 @@ impl<'m, 'a> KeptFaces<'m, 'a> {
     ///
     /// `shown` marks vertices that later pieces show as well. Fewer than `min_faces` faces are
     /// small. O(rounds * H).
-    pub(super) fn keep_where(
+    pub(super) fn keep_faces_where(
         &mut self,
         wanted: &[bool],
         barred: &[bool],

@@ -20,7 +20,7 @@ use std::ops::ControlFlow;
 /// Default largest distance between meshes of one surface, in mean edges.
 const DEFAULT_MAX_DISTANCE_MEAN_EDGES: f64 = 4.0;
 /// Default largest angle between normals of one surface, in radians.
-const DEFAULT_MAX_NORMAL_ANGLE: f64 = std::f64::consts::FRAC_PI_3;
+const DEFAULT_MAX_NORMAL_RADIANS: f64 = std::f64::consts::FRAC_PI_3;
 /// Smallest width of gaps, in mean edges.
 const MIN_GAP_MEAN_EDGES: f64 = 0.5;
 /// Advantage of earlier pieces in confidence, in mean edges. At a common border, noise must not
@@ -75,7 +75,7 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
     let same = SameSurfaceCriterion {
         distance: options.max_distance.map(|distance| distance / unit),
         edges: DEFAULT_MAX_DISTANCE_MEAN_EDGES,
-        cosine: libm::cos(if angle == 0.0 { DEFAULT_MAX_NORMAL_ANGLE } else { angle }),
+        cosine: libm::cos(if angle == 0.0 { DEFAULT_MAX_NORMAL_RADIANS } else { angle }),
     };
     let covers =
         alloc::try_collect((0..count).map(|k| VertexCovers::new(&layers, &trees, k, &same, &look.share(k, count))))?;
@@ -137,8 +137,8 @@ pub fn trim(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Re
 }
 
 /// Chooses the faces of piece `k` to keep. They do not lie on kept faces of earlier pieces, and are
-/// at least as confident as later pieces, up to [`EARLIER_PIECE_BIAS_MEAN_EDGES`]. Returns true if islands
-/// were removed.
+/// at least as confident as later pieces, up to [`EARLIER_PIECE_BIAS_MEAN_EDGES`]. Returns true if
+/// islands were removed.
 fn choose_kept_faces(
     layers: &[TrimPiece],
     covers: &[VertexCovers],
@@ -193,7 +193,7 @@ fn choose_kept_faces(
     let shown =
         alloc::collect_cancellable((0..points.len()).map(|v| covers[k].is_covered_where(v, competes)), job, STAGE)?;
     job.step(0.0, STAGE)?;
-    own[0].keep_where(&wanted, &barred, &shown, min_faces, job)
+    own[0].keep_faces_where(&wanted, &barred, &shown, min_faces, job)
 }
 
 /// Returns the box of the vertices that faces use.

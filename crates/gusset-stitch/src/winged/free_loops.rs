@@ -7,7 +7,7 @@
 //! direction with the surface on the left, and is cut into simple loops.
 
 use super::winged_edges::{EdgeMarks, WingedEdge, WingedEdges};
-use crate::boundary::split_simple;
+use crate::boundary::split_into_simple_loops;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -68,7 +68,7 @@ pub fn free_loops(tables: &WingedEdges, job: &Job<'_>) -> Result<FreeLoops> {
     let mut walk: Vec<DirectedEdge> = Vec::new();
     let mut loops: Vec<Vec<DirectedEdge>> = Vec::new();
     for (i, start) in tables.edges().iter().enumerate() {
-        if !is_free(start) || start.marks != 0 || seen[i] {
+        if !is_free_edge(start) || start.marks != 0 || seen[i] {
             continue;
         }
         let first = DirectedEdge { edge: i as u32, forward: start.left != NONE };
@@ -85,7 +85,7 @@ pub fn free_loops(tables: &WingedEdges, job: &Job<'_>) -> Result<FreeLoops> {
         }
         job.step(0.0, STAGE)?;
         let keep = |piece: &[DirectedEdge], _| alloc::push(&mut loops, alloc::copied(piece)?);
-        split_simple(&walk, tail, head, &mut place, job, keep)?;
+        split_into_simple_loops(&walk, tail, head, &mut place, job, keep)?;
     }
     job.step(0.0, STAGE)?;
     for steps in &mut loops {
@@ -112,7 +112,7 @@ pub fn free_loops(tables: &WingedEdges, job: &Job<'_>) -> Result<FreeLoops> {
 }
 
 /// Criterion (3) according to the text: exactly one side is NULL.
-fn is_free(edge: &WingedEdge) -> bool {
+fn is_free_edge(edge: &WingedEdge) -> bool {
     (edge.left == NONE) != (edge.right == NONE) && edge.marks & EdgeMarks::DEGENERATE == 0
 }
 

@@ -10,7 +10,7 @@ use gusset_base::sort;
 use gusset_base::sort::{Buckets, select};
 
 /// An old edge is sharp if the normals of its faces differ by at least this angle, in radians ...
-const MIN_CREASE_ANGLE: f64 = 0.6;
+const MIN_CREASE_RADIANS: f64 = 0.6;
 /// ... and by at least this multiple of the median over the old edges that end on the rim.
 const MIN_BEND_TO_MEDIAN_RATIO: f64 = 6.0;
 /// An edge is also sharp if it bends by more than this fraction of the sharpest edge at the same
@@ -22,7 +22,7 @@ const MIN_FOLLOWING_COSINE: f64 = 0.9;
 const MIN_TOTAL_FOLLOWING_COSINE: f64 = 0.75;
 /// Largest angle between the surfaces on the hole's side at the two ends of a crease along
 /// the rim, in radians.
-const MAX_SIDE_MISFIT_ANGLE: f64 = 0.7;
+const MAX_SIDE_MISFIT_RADIANS: f64 = 0.7;
 
 /// The end of a crease on a rim.
 pub(super) struct CreaseEnd {
@@ -94,7 +94,7 @@ pub(super) fn find_crease_ends(rim: &PatchRim, corners: &RimCorners) -> Result<(
         let start = bends.len();
         alloc::extend(&mut bends, fan.windows(2).map(|pair| fan_bend_angle(rim, pair)))?;
         let most = bends[start..].iter().copied().fold(0.0, f64::max);
-        if most >= MIN_CREASE_ANGLE {
+        if most >= MIN_CREASE_RADIANS {
             alloc::push(&mut sharpest, (v, most, start..bends.len(), fan))?;
         }
     }
@@ -132,8 +132,9 @@ fn extract_creases_along_rim(
         let (a, b) = (&ends[i], &ends[j]);
         let edges = (b.base + count - a.base) % count;
         let reaches = a.following >= edges as isize || -b.following >= edges as isize;
-        let fits =
-            || angle_between(a.normals[0], b.normals[1]) < MAX_SIDE_MISFIT_ANGLE && a.convexity() * b.convexity() > 0.0;
+        let fits = || {
+            angle_between(a.normals[0], b.normals[1]) < MAX_SIDE_MISFIT_RADIANS && a.convexity() * b.convexity() > 0.0
+        };
         if i != j && reaches && !used[i] && !used[j] && fits() {
             (used[i], used[j]) = (true, true);
             let sides = [alloc::copied(&a.sides[0])?, alloc::copied(&b.sides[1])?];
@@ -200,7 +201,7 @@ fn add_creases_at_corner(
 ) -> Result<()> {
     let [(before, n), (after, m)] = [side_of_fan(rim, fans[0])?, side_of_fan(rim, fans[1])?];
     let sides = [before, after];
-    if angle_between(n, m) < MIN_CREASE_ANGLE {
+    if angle_between(n, m) < MIN_CREASE_RADIANS {
         return alloc::push(along_rim, CreaseAlongRim { first: base, edges: 0, sides });
     }
     let corner = rim.points[base];

@@ -19,13 +19,13 @@ const MAX_CREASE_ENDS: usize = 24;
 /// Largest number of ends among which stars are looked for.
 const MAX_STAR_ENDS: usize = 12;
 /// The cost of an unmatched end.
-const UNMATCHED_COST: f64 = 0.6;
+const UNMATCHED_END_COST: f64 = 0.6;
 /// Largest angle between a curve's end tangent and its chord, in radians.
-const MAX_TANGENT_CHORD_ANGLE: f64 = 1.3;
+const MAX_TANGENT_CHORD_RADIANS: f64 = 1.3;
 /// Largest angle between the surfaces on the two ends of a curve, or between two arms, in radians.
-const MAX_SURFACE_MISFIT_ANGLE: f64 = 0.7;
+const MAX_SURFACE_MISFIT_RADIANS: f64 = 0.7;
 /// Largest angle by which a crease may miss the centre of its star, in radians.
-const MAX_STAR_MISS_ANGLE: f64 = 0.25;
+const MAX_STAR_MISS_RADIANS: f64 = 0.25;
 
 /// Lines are parallel if the determinant of their normal matrix is at most this.
 const MIN_CROSSING_DETERMINANT: f64 = 0.02;
@@ -97,7 +97,7 @@ fn best_non_crossing_matching(ends: &[usize], cost: &impl Fn(usize, usize) -> f6
     let at = |i: usize, k: usize| i * (n + 1) + k;
     for i in (0..n).rev() {
         for k in i + 1..=n {
-            let mut best = (UNMATCHED_COST + cells[at(i + 1, k)].0, i);
+            let mut best = (UNMATCHED_END_COST + cells[at(i + 1, k)].0, i);
             for j in i + 1..k {
                 let sum = cost(ends[i], ends[j]) + cells[at(i + 1, j)].0 + cells[at(j + 1, k)].0;
                 if sum < best.0 {
@@ -135,14 +135,14 @@ fn cost_of_crease_pair(rim: &PatchRim, i: &CreaseEnd, j: &CreaseEnd) -> f64 {
         (direction - direction.dot(chord) * chord).normalize_or_zero() * angle_between(chord, direction)
     };
     let [a, b] = [leaves, arrives].map(turn);
-    if a.length().max(b.length()) > MAX_TANGENT_CHORD_ANGLE {
+    if a.length().max(b.length()) > MAX_TANGENT_CHORD_RADIANS {
         return f64::INFINITY;
     }
     // The surface after i continues as the surface before j.
     let misfits = [(1, 0), (0, 1)]
         .map(|(of, with)| angle_between(rotate_by_shortest_rotation(i.normals[of], leaves, arrives), j.normals[with]));
     let same_side = i.convexity() * j.convexity() > 0.0;
-    if !same_side || misfits[0].max(misfits[1]) > MAX_SURFACE_MISFIT_ANGLE {
+    if !same_side || misfits[0].max(misfits[1]) > MAX_SURFACE_MISFIT_RADIANS {
         return f64::INFINITY;
     }
     a.length_squared() + a.dot(b) + b.length_squared() + misfits.map(|angle| angle * angle).iter().sum::<f64>()
@@ -166,7 +166,7 @@ fn find_star(rim: &PatchRim, ends: &[CreaseEnd], three: [usize; 3]) -> Result<Op
     let Some(centre) = nearest_point_to_lines(rim, &three.iter().map(|&k| &ends[k])) else {
         return Ok(None);
     };
-    let arms = alloc::gather((0..ends.len()).filter(|&k| misses(centre, &ends[k]) <= MAX_STAR_MISS_ANGLE))?;
+    let arms = alloc::gather((0..ends.len()).filter(|&k| misses(centre, &ends[k]) <= MAX_STAR_MISS_RADIANS))?;
     let Some(centre) = nearest_point_to_lines(rim, &arms.iter().map(|&k| &ends[k])).filter(|_| arms.len() >= 3) else {
         return Ok(None);
     };
@@ -174,7 +174,7 @@ fn find_star(rim: &PatchRim, ends: &[CreaseEnd], three: [usize; 3]) -> Result<Op
     for (a, &arm) in arms.iter().enumerate() {
         let (end, next) = (&ends[arm], &ends[arms[(a + 1) % arms.len()]]);
         let (miss, misfit) = (misses(centre, end), angle_between(end.normals[1], next.normals[0]));
-        if miss > MAX_STAR_MISS_ANGLE || misfit > MAX_SURFACE_MISFIT_ANGLE {
+        if miss > MAX_STAR_MISS_RADIANS || misfit > MAX_SURFACE_MISFIT_RADIANS {
             return Ok(None);
         }
         cost += miss * miss + misfit * misfit;

@@ -6,7 +6,7 @@
 //! result is nearly optimal, not exact; O(N + M) nodes for each level.
 
 use super::lattice_band::LatticeBand;
-use super::rim_pair::{Pair, RimPair, STAGE};
+use super::rim_pair::{MeridianEnds, RimPair, STAGE};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -28,13 +28,13 @@ const MAX_HALF_BAND_NODES: usize = 512;
 const MAX_NODES_PER_BORDER_NODE: usize = 128;
 
 /// Searches the lattice from coarse to fine. `search` returns the best path within a band, for the
-/// given rims or for thinned ones. Time and memory: the search of about (2 HALF_BAND_NODES + 1) (N + M)
-/// nodes on the finest level, and half as many on each coarser level.
+/// given rims or for thinned ones. Time and memory: the search of about (2 HALF_BAND_NODES + 1) (N
+/// + M) nodes on the finest level, and half as many on each coarser level.
 pub(super) fn search_coarse_to_fine(
     rims: &RimPair<'_>,
-    search: &impl Fn(&RimPair<'_>, &LatticeBand, &Job<'_>) -> Result<Option<Vec<Pair>>>,
+    search: &impl Fn(&RimPair<'_>, &LatticeBand, &Job<'_>) -> Result<Option<Vec<MeridianEnds>>>,
     job: &Job<'_>,
-) -> Result<Option<Vec<Pair>>> {
+) -> Result<Option<Vec<MeridianEnds>>> {
     let (n, m) = (rims.a.len() - 1, rims.b.len() - 1);
     if (n + 1) * (m + 1) <= MAX_COARSEST_NODES || (n < MIN_THINNED_SEGMENTS && m < MIN_THINNED_SEGMENTS) {
         return search(rims, &LatticeBand::whole_lattice(n, m)?, job);

@@ -10,7 +10,7 @@
 //!
 //! An open polyline with N vertices has N - 1 segments; a closed one has N.
 
-use super::rim_pair::Pair;
+use super::rim_pair::MeridianEnds;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
@@ -36,7 +36,7 @@ pub fn index_rule(n: u32, m: u32) -> impl ExactSizeIterator<Item = u32> {
 }
 
 /// Returns the meridians for `n` segments on rim A and `m` on rim B. Exchanges the roles if m > n.
-pub(crate) fn meridians_by_index_rule(n: u32, m: u32) -> Result<Vec<Pair>> {
+pub(crate) fn meridians_by_index_rule(n: u32, m: u32) -> Result<Vec<MeridianEnds>> {
     if m <= n {
         alloc::collect(index_rule(n, m).enumerate().map(|(i, j)| [i as u32, j]))
     } else {

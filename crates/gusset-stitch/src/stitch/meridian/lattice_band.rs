@@ -1,7 +1,7 @@
 //! The searched part of the lattice: for each row i the columns from `low[i]` to `high[i]`, both
 //! non-decreasing.
 
-use super::rim_pair::Pair;
+use super::rim_pair::MeridianEnds;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use std::ops::{Range, RangeInclusive};
@@ -19,7 +19,7 @@ impl LatticeBand {
 
     /// Creates the band of nodes within `width` rows and columns of a path from (0, 0) to (n, m).
     /// The path may omit nodes: it fills the rectangle between two consecutive nodes.
-    pub(super) fn around_path(path: &[Pair], n: usize, m: usize, width: usize) -> Result<Self> {
+    pub(super) fn around_path(path: &[MeridianEnds], n: usize, m: usize, width: usize) -> Result<Self> {
         let (mut low, mut high) = (alloc::filled(u32::MAX, n + 1)?, alloc::filled(0u32, n + 1)?);
         for step in path.windows(2) {
             let ([i, j], [i2, j2]) = (step[0], step[1]);
@@ -50,9 +50,9 @@ impl LatticeBand {
 
     /// Returns the path's nodes on the border of the band, except those on the border of the
     /// lattice.
-    pub(super) fn border_nodes(&self, path: &[Pair]) -> Result<Vec<Pair>> {
+    pub(super) fn border_nodes(&self, path: &[MeridianEnds]) -> Result<Vec<MeridianEnds>> {
         let (n, m) = (self.last_row(), self.last_column());
-        let touching = |&[i, j]: &Pair| {
+        let touching = |&[i, j]: &MeridianEnds| {
             let i = i as usize;
             let below = j > 0 && j <= self.low[i] || i < n && j < self.low[i + 1];
             let above = (j as usize) < m && j >= self.high[i] || i > 0 && j > self.high[i - 1];
@@ -62,7 +62,7 @@ impl LatticeBand {
     }
 
     /// Adds all nodes within `width` rows and columns of the given nodes.
-    pub(super) fn widen_at_nodes(&mut self, nodes: &[Pair], width: usize) {
+    pub(super) fn widen_at_nodes(&mut self, nodes: &[MeridianEnds], width: usize) {
         let (n, m, w) = (self.last_row(), self.last_column(), width as u32);
         for &[i, j] in nodes {
             let rows = (i as usize).saturating_sub(width)..=n.min(i as usize + width);

@@ -8,7 +8,7 @@
 //! computes each block except the last again. but the last once more.
 
 use super::lattice_band::LatticeBand;
-use super::rim_pair::{Pair, RimPair, STAGE};
+use super::rim_pair::{MeridianEnds, RimPair, STAGE};
 use super::step_metric::{PointArrays, StepCosts, StepMetric};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -35,7 +35,7 @@ pub(super) fn cheapest_path(
     metric: StepMetric,
     band: &LatticeBand,
     job: &Job<'_>,
-) -> Result<Option<Vec<Pair>>> {
+) -> Result<Option<Vec<MeridianEnds>>> {
     let (n, m) = (band.last_row(), band.last_column());
     let blocks = band.blocks_of_rows(MAX_STORED_ARRIVALS)?;
     let largest = blocks.iter().map(|rows| band.node_count(rows.clone())).max().unwrap_or(0);
@@ -45,7 +45,7 @@ pub(super) fn cheapest_path(
         metric,
         band,
         line: PointArrays::new(rims.b)?,
-        steps: StepCosts::with_len(m + 1)?,
+        steps: StepCosts::zeros_for_nodes(m + 1)?,
         cost: alloc::filled(f64::INFINITY, m + 1)?,
     };
 
@@ -126,7 +126,7 @@ impl CostTable<'_> {
         for i in rows {
             self.measure_row_steps(i);
             let width = self.band.row_width(i);
-            if self.metric.steps_on_both() {
+            if self.metric.may_step_on_both() {
                 self.compute_next_row::<true>(i, &mut arrivals[used..used + width]);
             } else {
                 self.compute_next_row::<false>(i, &mut arrivals[used..used + width]);

@@ -32,10 +32,10 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use index_rule::meridians_by_index_rule;
 use lattice_band::LatticeBand;
-pub use rim_pair::Pair;
+pub use rim_pair::MeridianEnds;
 pub(super) use rim_pair::STAGE;
 pub(crate) use rim_pair::{RimPair, StepPenalty, sorted_forbidden_nodes};
-use state_search::{PathCost, cheapest_path, is_simple};
+use state_search::{PathCost, cheapest_path, is_simple_path};
 use step_metric::StepMetric;
 use strip_bends::{StripBends, weight_of_squared_lengths};
 
@@ -103,7 +103,7 @@ const MAX_EXACT_LATTICE_NODES: usize = 1 << 21;
 
 /// Meridians, and their cost in the chosen measure.
 pub(crate) struct MeridianChoice {
-    pub(crate) pairs: Vec<Pair>,
+    pub(crate) pairs: Vec<MeridianEnds>,
     /// Comparable only for the same rims and choice.
     pub(crate) cost: f64,
 }
@@ -121,7 +121,8 @@ pub(crate) fn choose_meridians(
     let paper = meridians_by_index_rule(a.len() as u32 - 1, b.len() as u32 - 1)?;
     job.step(0.0, STAGE)?;
     let area = StepMetric::area(a, b, &paper);
-    let chosen = |metric: StepMetric, pairs: Vec<Pair>| MeridianChoice { cost: metric.path_cost(a, b, &pairs), pairs };
+    let chosen =
+        |metric: StepMetric, pairs: Vec<MeridianEnds>| MeridianChoice { cost: metric.path_cost(a, b, &pairs), pairs };
     let simple = match choice {
         Meridians::Index => return Ok(Some(chosen(area, paper))),
         Meridians::ArcLength => greedy::arc_length_meridians(rims)?,
@@ -132,7 +133,7 @@ pub(crate) fn choose_meridians(
         Meridians::Quad => return cheapest_meridians(rims, StepMetric::Quad, search, job),
         Meridians::Smooth => return smoothest_meridians(rims, &paper, search, job),
     };
-    if is_simple(rims, &simple) && !simple.iter().any(|&pair| rims.is_forbidden(pair)) {
+    if is_simple_path(rims, &simple) && !simple.iter().any(|&pair| rims.is_forbidden(pair)) {
         return Ok(Some(chosen(StepMetric::Diagonal, simple)));
     }
     cheapest_meridians(rims, StepMetric::Diagonal, search, job)
@@ -146,7 +147,7 @@ const NEAR_PATH_HALF_BAND_NODES: usize = 32;
 pub(crate) fn choose_meridians_near_path(
     rims: &RimPair<'_>,
     choice: Meridians,
-    path: &[Pair],
+    path: &[MeridianEnds],
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
     let (n, m) = (rims.a.len() - 1, rims.b.len() - 1);
@@ -175,7 +176,7 @@ fn cheapest_meridians(
         &job.part(0.0, 0.5),
     )? {
         // The best of all paths is usually proper, and is then the best proper path.
-        Some(path) if !is_simple(rims, &path) => {
+        Some(path) if !is_simple_path(rims, &path) => {
             Ok(cheapest_path(rims, &PathCost::StepCosts(metric), band, true, None, &job.part(0.5, 1.0))?
                 .map(|(_, path)| path))
         }
@@ -188,7 +189,7 @@ fn cheapest_meridians(
 /// Returns the path with the least bends.
 fn smoothest_meridians(
     rims: &RimPair<'_>,
-    paper: &[Pair],
+    paper: &[MeridianEnds],
     search: MeridianSearch,
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
@@ -199,7 +200,7 @@ fn smoothest_meridians(
         let bends = StripBends::least_bends(rims, tie)?;
         // The best of all paths is usually proper here too.
         let found = match cheapest_path(rims, &PathCost::Bends(&bends), band, false, None, &first)? {
-            Some((_, path)) if !is_simple(rims, &path) => {
+            Some((_, path)) if !is_simple_path(rims, &path) => {
                 cheapest_path(rims, &PathCost::Bends(&bends), band, true, None, &second)?
             }
             found => found,
@@ -221,7 +222,7 @@ const GUIDE_HALF_BAND_NODES: usize = 16;
 /// exact.
 fn meridians_of_best_continuation(
     rims: &RimPair<'_>,
-    paper: &[Pair],
+    paper: &[MeridianEnds],
     search: MeridianSearch,
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
@@ -245,15 +246,15 @@ fn meridians_of_best_continuation(
 /// Returns the best continuation within `band`. `first` is the end of its first step, if given.
 fn best_continuation_in_band(
     rims: &RimPair<'_>,
-    paper: &[Pair],
+    paper: &[MeridianEnds],
     band: &LatticeBand,
-    first: Option<Pair>,
+    first: Option<MeridianEnds>,
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
-    let bends = StripBends::continuation(rims, weight_of_squared_lengths(rims, paper))?;
+    let bends = StripBends::best_continuation(rims, weight_of_squared_lengths(rims, paper))?;
     let cost = PathCost::Bends(&bends);
     let found = match cheapest_path(rims, &cost, band, false, first, &job.part(0.0, 0.5))? {
-        Some((_, path)) if !is_simple(rims, &path) => {
+        Some((_, path)) if !is_simple_path(rims, &path) => {
             cheapest_path(rims, &cost, band, true, first, &job.part(0.5, 1.0))?
         }
         found => found,
@@ -265,9 +266,9 @@ fn best_continuation_in_band(
 fn search_lattice(
     rims: &RimPair<'_>,
     search: MeridianSearch,
-    find: &impl Fn(&RimPair<'_>, &LatticeBand, &Job<'_>) -> Result<Option<Vec<Pair>>>,
+    find: &impl Fn(&RimPair<'_>, &LatticeBand, &Job<'_>) -> Result<Option<Vec<MeridianEnds>>>,
     job: &Job<'_>,
-) -> Result<Option<Vec<Pair>>> {
+) -> Result<Option<Vec<MeridianEnds>>> {
     let (n, m) = (rims.a.len() - 1, rims.b.len() - 1);
     if search == MeridianSearch::Auto && (n + 1) * (m + 1) > MAX_EXACT_LATTICE_NODES {
         return coarse_to_fine::search_coarse_to_fine(rims, find, job);

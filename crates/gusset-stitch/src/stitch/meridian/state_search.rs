@@ -16,7 +16,7 @@
 //! memory in the band.
 
 use super::lattice_band::LatticeBand;
-use super::rim_pair::{Pair, RimPair, STAGE};
+use super::rim_pair::{MeridianEnds, RimPair, STAGE};
 use super::step_metric::{PointArrays, StepCosts, StepMetric};
 use super::strip_bends::{StepRow, StripBends};
 use gusset_base::alloc;
@@ -64,7 +64,7 @@ fn state_bits_of_step(rims: &RimPair<'_>, by: LatticeStep, i: usize, j: usize) -
 }
 
 /// Returns true if the path does not repeat a meridian. Paths between open rims never do.
-pub(super) fn is_simple(rims: &RimPair<'_>, path: &[Pair]) -> bool {
+pub(super) fn is_simple_path(rims: &RimPair<'_>, path: &[MeridianEnds]) -> bool {
     let mut state = 0;
     for step in path.windows(2) {
         let ([i, j], [i2, j2]) = (step[0], step[1]);
@@ -90,9 +90,9 @@ pub(super) fn cheapest_path(
     cost: &PathCost<'_>,
     band: &LatticeBand,
     simple: bool,
-    first: Option<Pair>,
+    first: Option<MeridianEnds>,
     job: &Job<'_>,
-) -> Result<Option<(f64, Vec<Pair>)>> {
+) -> Result<Option<(f64, Vec<MeridianEnds>)>> {
     match simple && rims.closed {
         true => StateSearch::<SIMPLE_PATH_STATES>::new(rims, cost, band)?.cheapest_path(first, job),
         false => StateSearch::<LAST_STEP_STATES>::new(rims, cost, band)?.cheapest_path(first, job),
@@ -127,7 +127,7 @@ impl<'a, const STATES: usize> StateSearch<'a, STATES> {
             cost,
             band,
             line: PointArrays::new(rims.b)?,
-            steps: [StepCosts::with_len(m + 1)?, StepCosts::with_len(m + 1)?],
+            steps: [StepCosts::zeros_for_nodes(m + 1)?, StepCosts::zeros_for_nodes(m + 1)?],
             triangles: [StepRow::new(bend_columns)?, StepRow::new(bend_columns)?],
             row: alloc::filled(Self::UNREACHABLE, m + 1)?,
             arrivals: alloc::filled([0u8; STATES], band.node_count(0..n + 1))?,
@@ -135,7 +135,11 @@ impl<'a, const STATES: usize> StateSearch<'a, STATES> {
     }
 
     /// See [`cheapest_path`].
-    fn cheapest_path(&mut self, first: Option<Pair>, job: &Job<'_>) -> Result<Option<(f64, Vec<Pair>)>> {
+    fn cheapest_path(
+        &mut self,
+        first: Option<MeridianEnds>,
+        job: &Job<'_>,
+    ) -> Result<Option<(f64, Vec<MeridianEnds>)>> {
         let firsts: &[Option<LatticeStep>] = match (self.cost, first) {
             (PathCost::Bends(_), None) if self.rims.closed => &[Some(LatticeStep::A), Some(LatticeStep::B)],
             (PathCost::Bends(_), Some([1, 0])) if self.rims.closed => &[Some(LatticeStep::A)],
@@ -143,7 +147,7 @@ impl<'a, const STATES: usize> StateSearch<'a, STATES> {
             _ => &[None],
         };
         let simple = HAS_STEP_INSIDE_A | HAS_STEP_INSIDE_B;
-        let mut best: Option<(f64, Vec<Pair>)> = None;
+        let mut best: Option<(f64, Vec<MeridianEnds>)> = None;
         for (k, &first) in firsts.iter().enumerate() {
             self.fill_table(first, &job.share(k, firsts.len()))?;
             for state in (0..STATES).filter(|state| STATES == LAST_STEP_STATES || state & simple == simple) {
@@ -152,7 +156,7 @@ impl<'a, const STATES: usize> StateSearch<'a, STATES> {
                     total += bends.bend_across_seam(state & LAST_STEP_ON_B > 0, first == LatticeStep::B);
                 }
                 if total < best.as_ref().map_or(f64::INFINITY, |&(least, _)| least) {
-                    best = Some((total, self.backtrack(state)?));
+                    best = Some((total, self.backtrack_path(state)?));
                 }
             }
         }
@@ -208,7 +212,7 @@ impl<'a, const STATES: usize> StateSearch<'a, STATES> {
 
     /// Replaces the costs of row i - 1 by the costs of row i, whose arrivals begin at `start`.
     fn compute_next_row<const BENDS: bool>(&mut self, i: usize, columns: Range<usize>, start: usize) {
-        let both = matches!(self.cost, PathCost::StepCosts(metric) if metric.steps_on_both());
+        let both = matches!(self.cost, PathCost::StepCosts(metric) if metric.may_step_on_both());
         let low = columns.start;
         let shifted = i > 0 && low > *self.band.columns_of_row(i - 1).start();
         let mut before = if shifted { self.row[low - 1] } else { Self::UNREACHABLE };
@@ -252,7 +256,7 @@ impl<'a, const STATES: usize> StateSearch<'a, STATES> {
     }
 
     /// Returns the path to (N, M) in `state`.
-    fn backtrack(&self, mut state: usize) -> Result<Vec<Pair>> {
+    fn backtrack_path(&self, mut state: usize) -> Result<Vec<MeridianEnds>> {
         let (mut i, mut j) = (self.band.last_row(), self.band.last_column());
         let mut start = self.band.node_count(0..i);
         let mut path = alloc::with_capacity(i + j + 1)?;

@@ -4,7 +4,7 @@
 //! B_j, and a step on B adds the triangle A_i B_j-1 B_j. A step on both rims, for strips of quads
 //! only, adds the quad of all four vertices.
 
-use super::rim_pair::Pair;
+use super::rim_pair::MeridianEnds;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -67,7 +67,7 @@ pub(super) struct StepCosts {
 
 impl StepCosts {
     /// Creates costs of 0 for `len` nodes.
-    pub(super) fn with_len(len: usize) -> Result<Self> {
+    pub(super) fn zeros_for_nodes(len: usize) -> Result<Self> {
         Ok(StepCosts { a: alloc::filled(0.0, len)?, b: alloc::filled(0.0, len)?, squared: alloc::filled(0.0, len)? })
     }
 }
@@ -88,7 +88,7 @@ impl StepMetric {
     /// Creates the area metric with a tie break. In the plane all strips without folds have equal
     /// area, and round-off would decide. On the paper's strip the squared lengths contribute 2^-32
     /// of the area.
-    pub(super) fn area(a: &[DVec3], b: &[DVec3], paper: &[Pair]) -> Self {
+    pub(super) fn area(a: &[DVec3], b: &[DVec3], paper: &[MeridianEnds]) -> Self {
         let area = strip_area(a, b, paper);
         let squared: f64 = paper.iter().map(|&[i, j]| a[i as usize].distance_squared(b[j as usize])).sum();
         StepMetric::Area {
@@ -97,7 +97,7 @@ impl StepMetric {
     }
 
     /// Returns true if the path may step on both rims at once.
-    pub(super) fn steps_on_both(self) -> bool {
+    pub(super) fn may_step_on_both(self) -> bool {
         self == StepMetric::Quad
     }
 
@@ -156,8 +156,8 @@ impl StepMetric {
     }
 
     /// Returns the cost of a whole path, without its first node.
-    pub(super) fn path_cost(self, a: &[DVec3], b: &[DVec3], pairs: &[Pair]) -> f64 {
-        let squared = |&[i, j]: &Pair| a[i as usize].distance_squared(b[j as usize]);
+    pub(super) fn path_cost(self, a: &[DVec3], b: &[DVec3], pairs: &[MeridianEnds]) -> f64 {
+        let squared = |&[i, j]: &MeridianEnds| a[i as usize].distance_squared(b[j as usize]);
         match self {
             StepMetric::Area { tie_break_weight } => {
                 strip_area(a, b, pairs) + tie_break_weight * pairs[1..].iter().map(squared).sum::<f64>()
@@ -170,7 +170,7 @@ impl StepMetric {
 
 /// Returns twice the area of the strip over `pairs`. Quads are split by the diagonal from the
 /// earlier vertex of `a`.
-pub(super) fn strip_area(a: &[DVec3], b: &[DVec3], pairs: &[Pair]) -> f64 {
+pub(super) fn strip_area(a: &[DVec3], b: &[DVec3], pairs: &[MeridianEnds]) -> f64 {
     let (a_at, b_at) = (|i: u32| a[i as usize], |j: u32| b[j as usize]);
     let mut area = 0.0;
     for step in pairs.windows(2) {

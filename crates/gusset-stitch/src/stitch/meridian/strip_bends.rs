@@ -6,20 +6,20 @@
 //! bend. Along the rims the second triangle is the old face, if it is known.
 //!
 //! **Continuation** has two terms. The first is the sum of 2 sin(t / 2), with the weight
-//! [`RIM_BEND_WEIGHT`] along the rims. It does not depend on the edge's length, and is nearly linear in
-//! t. So a surface may turn in one place rather than a little everywhere, as where the old faces
-//! continue across the gap. The second term is the mean square distance of the triangles from the
-//! likely old surface. A meridian from A_i to B_j has ends at the distances h and k from each
-//! other's tangent planes. Like the cubic with these tangents, it bulges by b^2 = (h^2 + k^2) / 32
-//! in the middle. A triangle between two meridians has the mean square (b1^2 + b1 b2 + b2^2) / 3.
-//! All lengths are in mean edges of the rims. The weights, and the powers of t and of the length,
-//! were tuned on parts cut out of closed meshes, which the strips should approximate (`make bench
-//! ONLY=truth`).
+//! [`RIM_BEND_WEIGHT`] along the rims. It does not depend on the edge's length, and is nearly
+//! linear in t. So a surface may turn in one place rather than a little everywhere, as where the
+//! old faces continue across the gap. The second term is the mean square distance of the triangles
+//! from the likely old surface. A meridian from A_i to B_j has ends at the distances h and k from
+//! each other's tangent planes. Like the cubic with these tangents, it bulges by b^2 = (h^2 + k^2)
+//! / 32 in the middle. A triangle between two meridians has the mean square (b1^2 + b1 b2 + b2^2) /
+//! 3. All lengths are in mean edges of the rims. The weights, and the powers of t and of the
+//! length, were tuned on parts cut out of closed meshes, which the strips should approximate (`make
+//! bench ONLY=truth`).
 //!
 //! A degenerate triangle counts as perpendicular to its neighbours. All loops over the nodes of a
 //! row are free of branches, so that they vectorise.
 
-use super::rim_pair::{Pair, RimPair};
+use super::rim_pair::{MeridianEnds, RimPair};
 use super::step_metric::{PointArrays, StepCosts, point_of_slice};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -27,7 +27,7 @@ use gusset_base::error::Result;
 use std::ops::Range;
 
 /// The weight of bends along the rims relative to bends across meridians, for
-/// [`StripBends::continuation`].
+/// [`StripBends::best_continuation`].
 const RIM_BEND_WEIGHT: f64 = 4.0;
 
 pub(super) struct StripBends<'a> {
@@ -85,7 +85,7 @@ impl<'a> StripBends<'a> {
     }
 
     /// Maximises the continuation of both surfaces.
-    pub(super) fn continuation(rims: &RimPair<'a>, tie_break_weight: f64) -> Result<Self> {
+    pub(super) fn best_continuation(rims: &RimPair<'a>, tie_break_weight: f64) -> Result<Self> {
         let &RimPair { a, b, sides, closed, .. } = rims;
         let length = |line: &[DVec3]| line.windows(2).map(|edge| edge[0].distance(edge[1])).sum::<f64>();
         let mean = (length(a) + length(b)) / (a.len() + b.len() - 2).max(1) as f64;
@@ -286,8 +286,8 @@ fn vertex_normals(sides: &[DVec3], points: usize, closed: bool) -> Result<Vec<DV
 
 /// Returns a weight for the meridians' squared lengths. In the plane all strips have equal bends,
 /// and round-off would decide. On the paper's strip this term is 2^-20 of the meridians' lengths.
-pub(super) fn weight_of_squared_lengths(rims: &RimPair<'_>, paper: &[Pair]) -> f64 {
-    let squared = |&[i, j]: &Pair| rims.a[i as usize].distance_squared(rims.b[j as usize]);
+pub(super) fn weight_of_squared_lengths(rims: &RimPair<'_>, paper: &[MeridianEnds]) -> f64 {
+    let squared = |&[i, j]: &MeridianEnds| rims.a[i as usize].distance_squared(rims.b[j as usize]);
     let (lengths, squares) =
         paper.iter().map(squared).fold((0.0, 0.0), |(lengths, squares), s| (lengths + s.sqrt(), squares + s));
     if squares > 0.0 { 0.5f64.powi(20) * lengths / squares } else { 0.0 }

@@ -9,7 +9,7 @@ use gusset_base::testing::cases;
 use proptest::prelude::*;
 
 /// Returns the edges that a path uses. The end of a closed polyline is identified with its start.
-fn edges_of_path(rims: &RimPair<'_>, path: &[Pair]) -> Vec<[usize; 2]> {
+fn edges_of_path(rims: &RimPair<'_>, path: &[MeridianEnds]) -> Vec<[usize; 2]> {
     let (n, m) = (rims.a.len(), rims.b.len());
     let (n, m) = if rims.closed { (n - 1, m - 1) } else { (n, m) };
     let mut edges: Vec<_> = path.iter().map(|&[i, j]| [i as usize % n, j as usize % m]).collect();
@@ -21,13 +21,13 @@ fn edges_of_path(rims: &RimPair<'_>, path: &[Pair]) -> Vec<[usize; 2]> {
     edges
 }
 
-fn is_allowed_path(rims: &RimPair<'_>, path: &[Pair]) -> bool {
+fn is_allowed_path(rims: &RimPair<'_>, path: &[MeridianEnds]) -> bool {
     edges_of_path(rims, path).windows(2).all(|pair| pair[0] != pair[1])
         && !path.iter().any(|pair| rims.forbidden.contains(pair))
 }
 
 /// Visits every good path by enumeration.
-fn visit_all_paths(rims: &RimPair<'_>, steps: &[[u32; 2]], mut visit: impl FnMut(&[Pair])) {
+fn visit_all_paths(rims: &RimPair<'_>, steps: &[[u32; 2]], mut visit: impl FnMut(&[MeridianEnds])) {
     let end = [rims.a.len() as u32 - 1, rims.b.len() as u32 - 1];
     let mut paths = vec![vec![[0, 0]]];
     while let Some(path) = paths.pop() {
@@ -47,7 +47,7 @@ fn visit_all_paths(rims: &RimPair<'_>, steps: &[[u32; 2]], mut visit: impl FnMut
 }
 
 /// Returns the bends of a strip, triangle by triangle.
-fn total_bends(rims: &RimPair<'_>, path: &[Pair]) -> f64 {
+fn total_bends(rims: &RimPair<'_>, path: &[MeridianEnds]) -> f64 {
     let (a, b) = (|i: u32| rims.a[i as usize], |j: u32| rims.b[j as usize]);
     let mut sum = 0.0;
     let mut normals = Vec::new();
@@ -73,7 +73,7 @@ fn total_bends(rims: &RimPair<'_>, path: &[Pair]) -> f64 {
 }
 
 /// Returns the measure of continuation, triangle by triangle, in mean edges of the rims.
-fn continuation_measure(rims: &RimPair<'_>, path: &[Pair]) -> f64 {
+fn continuation_measure(rims: &RimPair<'_>, path: &[MeridianEnds]) -> f64 {
     let length = |line: &[DVec3]| line.windows(2).map(|edge| (edge[1] - edge[0]).length()).sum::<f64>();
     let mean = (length(rims.a) + length(rims.b)) / (rims.a.len() + rims.b.len() - 2) as f64;
     let [along_a, along_b] = rims.sides.unwrap();
@@ -96,7 +96,7 @@ fn continuation_measure(rims: &RimPair<'_>, path: &[Pair]) -> f64 {
         (before + after).normalize_or_zero()
     };
     let (a, b) = (|i: u32| rims.a[i as usize], |j: u32| rims.b[j as usize]);
-    let bulge = |[i, j]: Pair| {
+    let bulge = |[i, j]: MeridianEnds| {
         let heights = [vertex(along_a, i), vertex(along_b, j)].map(|normal| normal.dot(b(j) - a(i)) / mean);
         ((heights[0].powi(2) + heights[1].powi(2)) / 32.0).sqrt()
     };
@@ -122,9 +122,9 @@ fn check_all_choices(rims: &RimPair<'_>) {
     check_continuation(rims);
     let (a, b) = (rims.a, rims.b);
     let paper = meridians_by_index_rule(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
-    let length = |&[i, j]: &Pair| a[i as usize].distance(b[j as usize]);
-    let squares = |path: &[Pair]| path[1..].iter().map(|pair| length(pair).powi(2)).sum::<f64>();
-    type Measure<'a> = &'a dyn Fn(&[Pair]) -> f64;
+    let length = |&[i, j]: &MeridianEnds| a[i as usize].distance(b[j as usize]);
+    let squares = |path: &[MeridianEnds]| path[1..].iter().map(|pair| length(pair).powi(2)).sum::<f64>();
+    type Measure<'a> = &'a dyn Fn(&[MeridianEnds]) -> f64;
     let triangles: &[[u32; 2]] = &[[1, 0], [0, 1]];
     let cases: [(Meridians, &[[u32; 2]], Measure<'_>); 4] = [
         (Meridians::MinArea, triangles, &|path| strip_area(a, b, path)),
@@ -195,7 +195,7 @@ fn repeat_first_point(points: &[DVec3]) -> Vec<DVec3> {
 }
 
 /// Returns a path with steps on A where `on_a` is true, as long as there are any.
-fn path_with_steps(on_a: &[bool], n: usize, m: usize) -> Vec<Pair> {
+fn path_with_steps(on_a: &[bool], n: usize, m: usize) -> Vec<MeridianEnds> {
     let mut path = vec![[0, 0]];
     for &on_a in on_a {
         let [i, j] = path[path.len() - 1];
@@ -236,7 +236,9 @@ proptest! {
         for few in [&[][..], &some] {
             let nodes = |closed| sorted_forbidden_nodes(few.iter().copied(), n, m, closed).unwrap();
             for sides in [None, Some(sides)] {
-                check_all_choices(&RimPair { a: &repeat_first_point(&a), b: &repeat_first_point(&b), closed: true, forbidden: &nodes(true), sides, penalties: &[] });
+                let (closed_a, closed_b) = (repeat_first_point(&a), repeat_first_point(&b));
+                let rims = RimPair { a: &closed_a, b: &closed_b, closed: true, forbidden: &nodes(true), sides, penalties: &[] };
+                check_all_choices(&rims);
                 check_all_choices(&RimPair { a: &a, b: &b, closed: false, forbidden: &nodes(false), sides, penalties: &[] });
             }
         }
@@ -255,7 +257,7 @@ proptest! {
         let middle = path_with_steps(&path, n, m);
         let band = LatticeBand::around_path(&middle, n, m, width).unwrap();
         let rims = RimPair { a: &a, b: &b, closed: false, forbidden: &[], sides: None, penalties: &[] };
-        let within = |path: &[Pair]| path.iter().all(|&[i, j]| band.columns_of_row(i as usize).contains(&(j as usize)));
+        let within = |path: &[MeridianEnds]| path.iter().all(|&[i, j]| band.columns_of_row(i as usize).contains(&(j as usize)));
         for (metric, steps) in [(StepMetric::Diagonal, &[[1, 0], [0, 1]][..]), (StepMetric::Quad, &[[1, 0], [0, 1], [1, 1]])] {
             let mut least = f64::INFINITY;
             visit_all_paths(&rims, steps, |path| {
@@ -296,18 +298,18 @@ proptest! {
             .filter(|penalty| penalty.to[0] as usize <= n && penalty.to[1] as usize <= m)
             .collect();
         let rims = RimPair { a: &a, b: &b, closed: closes, forbidden: &[], sides, penalties: &penalties };
-        let within = |path: &[Pair]| path.iter().all(|&[i, j]| band.columns_of_row(i as usize).contains(&(j as usize)));
-        let extra = |path: &[Pair]| {
-            let of = |step: &[Pair]| {
+        let within = |path: &[MeridianEnds]| path.iter().all(|&[i, j]| band.columns_of_row(i as usize).contains(&(j as usize)));
+        let extra = |path: &[MeridianEnds]| {
+            let of = |step: &[MeridianEnds]| {
                 let own = |p: &&StepPenalty| p.to == step[1] && p.on_b == (step[1][0] == step[0][0]);
                 penalties.iter().filter(own).map(|p| p.extra).sum::<f64>()
             };
             path.windows(2).map(of).sum::<f64>()
         };
-        type Measure<'a> = &'a dyn Fn(&[Pair]) -> f64;
+        type Measure<'a> = &'a dyn Fn(&[MeridianEnds]) -> f64;
         let cases: [(StripBends<'_>, Measure<'_>); 2] = [
             (StripBends::least_bends(&rims, 0.0).unwrap(), &|path| total_bends(&rims, path)),
-            (StripBends::continuation(&rims, 0.0).unwrap(), &|path| continuation_measure(&rims, path)),
+            (StripBends::best_continuation(&rims, 0.0).unwrap(), &|path| continuation_measure(&rims, path)),
         ];
         for (of, measure) in &cases {
             for simple in [false, true] {
@@ -325,7 +327,7 @@ proptest! {
                 let (own, slack) = (measure(&path) + extra(&path), 1e-9 * (1.0 + cost));
                 prop_assert!(within(&path) && (own - cost).abs() <= slack, "{own} {cost} {path:?}");
                 prop_assert!(cost <= least + slack, "{cost} {least} {path:?}");
-                if is_simple(&rims, &path) {
+                if is_simple_path(&rims, &path) {
                     prop_assert!(cost >= least - slack, "{cost} {least} {path:?}");
                 } else {
                     prop_assert!(!simple);
@@ -341,7 +343,8 @@ proptest! {
     ) {
         // Two points span no strip.
         prop_assume!(a.len() + b.len() > 2);
-        check_all_choices(&RimPair { a: &polyline_of_integers(&a), b: &polyline_of_integers(&b), closed: false, forbidden: &[], sides: None, penalties: &[] });
+        let (a, b) = (polyline_of_integers(&a), polyline_of_integers(&b));
+        check_all_choices(&RimPair { a: &a, b: &b, closed: false, forbidden: &[], sides: None, penalties: &[] });
     }
 }
 
@@ -400,7 +403,7 @@ proptest! {
 
 /// Returns the largest relative excess of the coarse-to-fine cost over the exact cost, over all
 /// step metrics.
-fn coarse_search_excess(a: &[DVec3], b: &[DVec3], forbidden: &[Pair]) -> f64 {
+fn coarse_search_excess(a: &[DVec3], b: &[DVec3], forbidden: &[MeridianEnds]) -> f64 {
     let rims = RimPair { a, b, closed: true, forbidden, sides: None, penalties: &[] };
     let paper = meridians_by_index_rule(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
     let mut most = 0.0f64;
@@ -439,7 +442,7 @@ fn a_plane_ring_gets_short_meridians() {
     let known = RimPair { sides: Some([&up[0], &up[1]]), ..rims };
     for (choice, rims) in [(Meridians::MinArea, &rims), (Meridians::Smooth, &rims), (Meridians::Continuation, &known)] {
         let chosen = choose_meridians(rims, choice, MeridianSearch::Auto, &Job::default()).unwrap().unwrap();
-        let length = |&[i, j]: &Pair| a[i as usize % 48].distance(b[j as usize % 32]);
+        let length = |&[i, j]: &MeridianEnds| a[i as usize % 48].distance(b[j as usize % 32]);
         let longest = chosen.pairs.iter().map(length).fold(0.0, f64::max);
         // No meridian leans sideways by more than one edge: the gap is 0.3 wide, and the longer
         // edge 0.334 long.
