@@ -19,7 +19,7 @@ const STAGE: &str = "carrying values over";
 const ELEMENTS_PER_TASK: usize = 1 << 14;
 /// Largest number of steps towards the mean of directions. Each step squares the error.
 const MAX_SPHERICAL_MEAN_STEPS: usize = 16;
-const MIN_STEP_ANGLE: f64 = 1e-15;
+const MIN_STEP_RADIANS: f64 = 1e-15;
 
 /// Transfers a channel: writes the values of each vertex, corner or face of the result.
 ///
@@ -226,7 +226,7 @@ fn spherical_mean<I: Iterator<Item = (DVec3, f64)>>(entries: impl Fn() -> I) -> 
         });
         let step: DVec3 = step.sum();
         let angle = step.length();
-        if angle <= MIN_STEP_ANGLE {
+        if angle <= MIN_STEP_RADIANS {
             break;
         }
         let (sine, cosine) = libm::sincos(angle);

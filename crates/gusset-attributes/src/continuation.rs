@@ -48,7 +48,7 @@ const MAX_JUMPS: usize = 32;
 const MAX_RELATIVE_JUMP_DIFFERENCE: f64 = 1e-3;
 /// Jumps, and deviations from an extended chart, are long if they exceed this multiple of the usual
 /// length of a base.
-const MIN_LONG_JUMP_BASES: f64 = 4.0;
+const MIN_LONG_JUMP_IN_BASE_LENGTHS: f64 = 4.0;
 /// Values at a vertex are the same if they differ by less than this fraction of the largest one.
 const MAX_RELATIVE_VALUE_DIFFERENCE: f64 = 1e-6;
 
@@ -137,7 +137,7 @@ impl ChartContinuation {
         let mut charts = self.charts_along_rims(values, job)?;
         let cuts = self.find_chart_cuts(&mut charts, values, job)?;
         let edges = self.choose_chart_sides(&cuts, values, &job.part(0.0, 0.3))?;
-        self.merge_by_vote(&mut charts, &edges, values, &job.part(0.3, 0.7))?;
+        self.merge_charts_by_vote(&mut charts, &edges, values, &job.part(0.3, 0.7))?;
         let job = job.part(0.7, 1.0);
         for (f, (range, &base)) in self.offsets.windows(2).zip(&self.base_of).enumerate() {
             job.step_every(FACES_PER_REPORT, f, self.base_of.len(), STAGE)?;
@@ -151,7 +151,7 @@ impl ChartContinuation {
             }
             for corner in corners {
                 for c in 0..values.components {
-                    let value = self.extended_value(values, corner, base, c);
+                    let value = self.extended_chart_value(values, corner, base, c);
                     values.set(corner as usize, c, value);
                 }
             }
@@ -209,8 +209,9 @@ impl ChartContinuation {
         let mut best = (f64::INFINITY, &ends[0], None);
         for end in ends {
             for jump in std::iter::once(None).chain(cuts.jumps.iter().map(|jump| Some(&jump[..]))) {
-                let off =
-                    |c| value_with_jump(values, end.corner, jump, c) - self.extended_value(values, corner, base, c);
+                let off = |c| {
+                    value_with_jump(values, end.corner, jump, c) - self.extended_chart_value(values, corner, base, c)
+                };
                 let off: f64 = (0..values.components).map(|c| off(c).powi(2)).sum();
                 if off < best.0 {
                     best = (off, end, jump);
@@ -237,7 +238,7 @@ impl ChartContinuation {
                 let off: f64 = known.iter().enumerate().map(|(c, x)| (jump(c) - x).powi(2)).sum();
                 off <= MAX_RELATIVE_JUMP_DIFFERENCE * MAX_RELATIVE_JUMP_DIFFERENCE * size
             };
-            let is_long = size > MIN_LONG_JUMP_BASES * MIN_LONG_JUMP_BASES * cuts.usual_way;
+            let is_long = size > MIN_LONG_JUMP_IN_BASE_LENGTHS * MIN_LONG_JUMP_IN_BASE_LENGTHS * cuts.usual_way;
             if is_long && cuts.jumps.len() < MAX_JUMPS && !cuts.jumps.iter().any(is_known) {
                 for sign in [1.0, -1.0] {
                     let there = alloc::collect((0..values.components).map(|c| sign * jump(c)))?;
@@ -279,7 +280,7 @@ impl ChartContinuation {
     }
 
     /// Merges charts if most faces between them vote for it.
-    fn merge_by_vote(
+    fn merge_charts_by_vote(
         &self,
         charts: &mut DisjointSets,
         edges: &[u32],
@@ -318,7 +319,7 @@ impl ChartContinuation {
     /// Returns true if the attribute value at a new corner is close to the value that extends the
     /// chart across the base edge.
     fn is_near_extended_chart(&self, values: &Output<'_>, corner: u32, base: u32) -> bool {
-        let (off, way) = self.deviation_and_distance(values, corner, base);
+        let (off, way) = self.squared_deviation_and_distance(values, corner, base);
         off <= MAX_RELATIVE_DEVIATION * MAX_RELATIVE_DEVIATION * way
     }
 
@@ -326,21 +327,21 @@ impl ChartContinuation {
     /// the size of faces.
     fn face_crosses_cut(&self, values: &Output<'_>, mut corners: Range<u32>, base: u32, usual: f64) -> bool {
         corners.any(|corner| {
-            let (off, way) = self.deviation_and_distance(values, corner, base);
-            off > MIN_LONG_JUMP_BASES * MIN_LONG_JUMP_BASES * way.max(usual)
+            let (off, way) = self.squared_deviation_and_distance(values, corner, base);
+            off > MIN_LONG_JUMP_IN_BASE_LENGTHS * MIN_LONG_JUMP_IN_BASE_LENGTHS * way.max(usual)
         })
     }
 
     /// Returns two squares: the deviation of the value at a new corner from the extended chart of
     /// its base, and the size of the extension. The size combines the distance of the extended
     /// value from the base with the length of the base.
-    fn deviation_and_distance(&self, values: &Output<'_>, corner: u32, base: u32) -> (f64, f64) {
+    fn squared_deviation_and_distance(&self, values: &Output<'_>, corner: u32, base: u32) -> (f64, f64) {
         let FaceBase { corners: [start, end, _] } = self.bases[base as usize];
         let value = |corner: u32, c: usize| values.get(corner as usize, c);
         let (mut off, mut way) = (0.0, 0.0);
         for c in 0..values.components {
             let (there, [from, to]) =
-                (self.extended_value(values, corner, base, c), [start, end].map(|at| value(at, c)));
+                (self.extended_chart_value(values, corner, base, c), [start, end].map(|at| value(at, c)));
             off += (value(corner, c) - there).powi(2);
             // Values may change only along the base.
             way += (there - f64::midpoint(from, to)).powi(2) + (to - from).powi(2);
@@ -349,7 +350,7 @@ impl ChartContinuation {
     }
 
     /// A component of the value at a new corner in the extended chart of its base.
-    fn extended_value(&self, values: &Output<'_>, corner: u32, base: u32, c: usize) -> f64 {
+    fn extended_chart_value(&self, values: &Output<'_>, corner: u32, base: u32, c: usize) -> f64 {
         let weights = self.weights[(corner - self.offsets[0]) as usize];
         let at = self.bases[base as usize].corners.map(|corner| values.get(corner as usize, c));
         let there: f64 = at.iter().zip(weights).map(|(value, weight)| weight * value).sum();

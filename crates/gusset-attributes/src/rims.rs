@@ -103,7 +103,7 @@ impl RimEdges {
         let mut any = false;
         for (k, &v) in new.iter().enumerate() {
             job.step_within(k, STAGE)?;
-            if self.first_rim_end(v).is_none() {
+            if self.first_rim_end_at(v).is_none() {
                 wanted.insert(v);
                 any = true;
             }
@@ -120,7 +120,7 @@ impl RimEdges {
         Ok(())
     }
 
-    fn first_rim_end(&self, v: u32) -> Option<&RimEnd> {
+    fn first_rim_end_at(&self, v: u32) -> Option<&RimEnd> {
         self.ends.get(self.ends.partition_point(|end| end.vertex < v)).filter(|end| end.vertex == v)
     }
 
@@ -129,7 +129,7 @@ impl RimEdges {
     pub(super) fn old_corner_at(&self, v: u32, base: u32) -> u32 {
         let key = (v, base);
         let own = self.ends.binary_search_by(|end| (end.vertex, end.edge).cmp(&key)).ok().map(|at| &self.ends[at]);
-        match own.or_else(|| self.first_rim_end(v)) {
+        match own.or_else(|| self.first_rim_end_at(v)) {
             Some(end) => end.corner,
             None => self.loose.binary_search_by_key(&v, |&(v, _)| v).map_or(NONE, |at| self.loose[at].1),
         }

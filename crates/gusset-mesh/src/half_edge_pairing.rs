@@ -35,9 +35,9 @@ const MAX_BUCKET_THREADS: usize = 8;
 /// The minimum number of faces for a thread.
 const MIN_FACES_PER_THREAD: usize = 1 << 11;
 /// The longest bucket that is scanned instead of sorted.
-const MAX_UNSORTED_BUCKET: usize = 32;
+const MAX_UNSORTED_BUCKET_ENTRIES: usize = 32;
 /// The longest bucket that is sorted without a progress report.
-const MAX_UNREPORTED_BUCKET: usize = 1 << 16;
+const MAX_UNREPORTED_BUCKET_ENTRIES: usize = 1 << 16;
 
 /// The pairing of half-edges.
 pub struct Topology {
@@ -317,7 +317,7 @@ fn pair_half_edges_in_buckets(
         if pair_by_scan(mate, ups, downs) {
             continue;
         }
-        if own.len() > MAX_UNREPORTED_BUCKET {
+        if own.len() > MAX_UNREPORTED_BUCKET_ENTRIES {
             alloc::push(&mut found.long, bucket)?;
             continue;
         }
@@ -338,7 +338,7 @@ fn have_same_far_end(x: &u64, y: &u64) -> bool {
 /// match is missing or ambiguous, or if there are too many half-edges to scan. The caller must then
 /// overwrite the partners.
 fn pair_by_scan(mate: &[AtomicU32], ups: &[u64], downs: &mut [u64]) -> bool {
-    if ups.len() != downs.len() || ups.len() > MAX_UNSORTED_BUCKET {
+    if ups.len() != downs.len() || ups.len() > MAX_UNSORTED_BUCKET_ENTRIES {
         return false;
     }
     for (i, &up) in ups.iter().enumerate() {

@@ -19,7 +19,7 @@ const MIN_FITTING_SHARE: f64 = 2.0 / 3.0;
 /// degree's sine.
 const MIN_HOLD_STIFFNESS: f64 = 7.6e-5;
 /// Largest part of the stiffness that may be noise.
-const MAX_NOISE_SHARE: f64 = 0.5;
+const MAX_NOISE_SHARE_OF_STIFFNESS: f64 = 0.5;
 /// If a piece without overlaps differs from the first piece by more than this factor in size, it
 /// probably uses another unit of length.
 const MIN_OTHER_UNIT_SIZE_RATIO: f64 = 50.0;
@@ -85,7 +85,7 @@ pub(super) fn assess_alignment(
             }
         } else if own().all(|overlap| !overlap.trusted) {
             Reason::PoorFit
-        } else if hold.least < MIN_HOLD_STIFFNESS || hold.noise > MAX_NOISE_SHARE * hold.least {
+        } else if hold.least < MIN_HOLD_STIFFNESS || hold.noise > MAX_NOISE_SHARE_OF_STIFFNESS * hold.least {
             Reason::Undetermined
         } else {
             Reason::TrustedByNone

@@ -20,7 +20,7 @@ const MAX_TRIED_SAMPLE_PAIRS: usize = 64;
 /// Number of rounds that fit a motion to the coincident rims.
 const MOTION_FIT_ROUNDS: usize = 6;
 /// Rims coincide within this number of steps.
-const MAX_COINCIDENT_STEPS: f64 = 1.5;
+const MAX_COINCIDENCE_DISTANCE_STEPS: f64 = 1.5;
 /// Smallest number of coincident samples of a match, and smallest share of the shorter rim.
 const MIN_COINCIDENT_SAMPLES: usize = 12;
 const MIN_COINCIDENT_SHARE: f64 = 0.1;
@@ -97,7 +97,7 @@ fn find_coincident_samples(
     from: &SampledRim,
     pose: &Pose,
 ) -> Result<Vec<[usize; 2]>> {
-    let gate = MAX_COINCIDENT_STEPS * onto.step;
+    let gate = MAX_COINCIDENCE_DISTANCE_STEPS * onto.step;
     alloc::gather((0..from.points.len()).filter_map(|k| {
         let (along, normal) = (pose.direction(from.directions[k]), pose.direction(from.normals[k]));
         let fits = |w: u32| {

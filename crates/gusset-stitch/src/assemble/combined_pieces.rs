@@ -36,7 +36,7 @@ impl CombinedPieces {
         let start = &job.part(0.0, 0.0);
         let Remains { mut mesh, places, mut vertex_map, mut face_map, faces, corners } = match trimmed {
             Some(trimmed) => Remains::new(pieces, trimmed, start)?,
-            None => pieces_side_by_side(pieces, start)?,
+            None => place_pieces_side_by_side(pieces, start)?,
         };
         let trimmed_faces = face_map.iter().filter(|&&f| f == NONE).count() as u32;
         let (mut welded_vertices, mut sewn_edges, mut splits) = (0, 0, 0);
@@ -146,7 +146,7 @@ impl CombinedPieces {
 }
 
 /// Places the pieces side by side. All faces and corners remain, so their origins are empty.
-fn pieces_side_by_side(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Remains> {
+fn place_pieces_side_by_side(pieces: &[MeshView<'_>], job: &Job<'_>) -> Result<Remains> {
     let (mesh, places) = concat::concatenate(pieces, job)?;
     let vertex_map = alloc::collect(0..mesh.positions.len() as u32)?;
     let face_map = alloc::collect(0..mesh.face_count() as u32)?;

@@ -75,7 +75,7 @@ impl FacingSearch<'_> {
             let Some((k, gap)) = found else {
                 return Ok(Some(LeftLoopExplanation { reason: Reason::Alone, gap: f64::INFINITY, allowed: 0.0 }));
             };
-            let allowed = self.max_gap_between(r, k);
+            let allowed = self.max_gap_between_whole_loops(r, k);
             let reason = match () {
                 _ if own && !self.within_components => Reason::SameComponent,
                 _ if self.is_excluded_pair(r, k) => Reason::Excluded,

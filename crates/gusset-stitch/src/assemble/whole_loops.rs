@@ -108,7 +108,7 @@ pub(super) struct NearestLoopShare {
 
 impl FacingSearch<'_> {
     /// Returns the largest gap across which two loops may be joined whole.
-    pub(super) fn max_gap_between(&self, first: usize, second: usize) -> f64 {
+    pub(super) fn max_gap_between_whole_loops(&self, first: usize, second: usize) -> f64 {
         let [a, b] = [first, second].map(|k| &self.candidates[k]);
         self.max_gap.unwrap_or_else(|| a.radius.min(b.radius).max(DEFAULT_GAP_TO_SIZE_RATIO * a.size.max(b.size)))
     }
@@ -146,7 +146,7 @@ impl FacingSearch<'_> {
             }
             let there = measure_loop_facing(&self.rims[r], &conormals[r], &self.rims[k], &lengths[k], &trees[k])?;
             let back = measure_loop_facing(&self.rims[k], &conormals[k], &self.rims[r], &lengths[r], &trees[r])?;
-            let (gap, limit) = (there.gap.max(back.gap), self.max_gap_between(r, k));
+            let (gap, limit) = (there.gap.max(back.gap), self.max_gap_between_whole_loops(r, k));
             let looks = there.cosine + back.cosine;
             let face = before >= MIN_AHEAD_VERTEX_SHARE
                 && there.cosine.min(back.cosine) >= MIN_FACING_COSINE

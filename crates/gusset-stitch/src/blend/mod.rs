@@ -3,9 +3,9 @@
 //!
 //! The coarse triangles guide the surface. Their sides are halved to
 //! [`NEW_SIDE_TO_OLD_SIDE_RATIO`](blend_plan) of the old sides at the rims, short sides are
-//! collapsed, and vertices are inserted at small angles ([`crate::remesh`]). The new vertices then move to the minimum of a thin plate's energy, clamped
-//! to the old faces ([`crate::fair`]). This is repeated; if the result intersects, with fewer
-//! rounds or with protection against folds.
+//! collapsed, and vertices are inserted at small angles ([`crate::remesh`]). The new vertices then
+//! move to the minimum of a thin plate's energy, clamped to the old faces ([`crate::fair`]). This
+//! is repeated; if the result intersects, with fewer rounds or with protection against folds.
 //!
 //! The plate has a rest shape: the curvature of the coarse triangles, smoothed over their ridges. A
 //! plate that is flat at rest would narrow to a neck between two tubes, and over a few radii to a

@@ -25,14 +25,14 @@ const MAX_STEP_HALVINGS: u32 = 40;
 /// The descent ends if the relative decrease of the energy is at most this.
 const MIN_RELATIVE_GAIN: f64 = 1e-9;
 /// The end is a minimum if the gradient predicts a relative decrease of at most this.
-const MAX_RELATIVE_SLOPE: f64 = 1e-6;
+const MAX_RELATIVE_SLOPE_AT_MINIMUM: f64 = 1e-6;
 /// Weight that holds vertices in place, relative to the mean diagonal entry: the energy is
 /// invariant under translation.
 const RELATIVE_HOLD_WEIGHT: f64 = 1e-9;
 
 /// The reason why a descent ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum DescentEnd {
+pub(super) enum DescentOutcome {
     /// The energy no longer decreased.
     Converged,
     /// No step was possible that decreases the energy: the border would intersect itself, or
@@ -48,7 +48,7 @@ pub(super) enum DescentEnd {
 pub(super) struct Descent {
     pub(super) x: Vec<DVec2>,
     pub(super) iterations: u32,
-    pub(super) end: DescentEnd,
+    pub(super) end: DescentOutcome,
 }
 
 /// The treatment of the border in a descent.
@@ -105,12 +105,15 @@ pub(super) fn minimise_by_descent(
             (x, value) = better;
         }
         if gain <= MIN_RELATIVE_GAIN * value {
-            let end =
-                if slope.abs() <= MAX_RELATIVE_SLOPE * value { DescentEnd::Converged } else { DescentEnd::Stalled };
+            let end = if slope.abs() <= MAX_RELATIVE_SLOPE_AT_MINIMUM * value {
+                DescentOutcome::Converged
+            } else {
+                DescentOutcome::Stalled
+            };
             return Ok(Descent { x, iterations: iteration + 1, end });
         }
     }
-    Ok(Descent { x, iterations: max_iterations, end: DescentEnd::IterationLimit })
+    Ok(Descent { x, iterations: max_iterations, end: DescentOutcome::IterationLimit })
 }
 
 /// Returns the mean energy over the area.

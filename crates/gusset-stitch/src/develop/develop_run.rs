@@ -6,7 +6,7 @@ use super::chart_system::ChartSystem;
 use super::cut_edges::{CutSurface, PathSearch, SurfaceGraph};
 use super::cut_to_discs::open_charts_to_discs;
 use super::dart_tip::find_dart_tip;
-use super::descend::{BorderRule, Descent, DescentEnd, mean_energy, minimise_by_descent};
+use super::descend::{BorderRule, Descent, DescentOutcome, mean_energy, minimise_by_descent};
 use super::develop_request::{Chart, CutKind, Developed, Distortion, Finish, Options};
 use super::energy::Jacobian;
 use super::exact_unfolding::{EdgeLengths, unfold_triangles};
@@ -205,17 +205,17 @@ fn flatten_chart(
     // The rigid energy does not prevent folds, so start from a map without folds.
     let end = if options.distortion == Distortion::Rigid { 0.6 } else { 0.95 };
     let mut descent = minimise_distortion(&chart, &mut system, Distortion::Symmetric, x, limit, &job.part(0.2, end))?;
-    if options.distortion == Distortion::Rigid && descent.end != DescentEnd::Folded {
+    if options.distortion == Distortion::Rigid && descent.end != DescentOutcome::Folded {
         let before = descent.iterations;
         descent = minimise_distortion(&chart, &mut system, Distortion::Rigid, descent.x, limit, &job.part(end, 0.95))?;
         descent.iterations += before;
     }
     let finish = match descent.end {
-        DescentEnd::Folded => Finish::Folded,
+        DescentOutcome::Folded => Finish::Folded,
         _ if is_conformal => Finish::NotConformal,
-        DescentEnd::Converged => Finish::Converged,
-        DescentEnd::Stalled => Finish::Stalled,
-        DescentEnd::IterationLimit => Finish::IterationLimit,
+        DescentOutcome::Converged => Finish::Converged,
+        DescentOutcome::Stalled => Finish::Stalled,
+        DescentOutcome::IterationLimit => Finish::IterationLimit,
     };
     measure_flat_chart(&chart, descent.x, finish, descent.iterations, tip, &job.part(0.95, 1.0))
 }
@@ -267,7 +267,7 @@ fn minimise_distortion(
         }
         start = tutte_map(chart, system, &job.part(0.9, 1.0))?;
     }
-    Ok(Descent { x: start, iterations, end: DescentEnd::Folded })
+    Ok(Descent { x: start, iterations, end: DescentOutcome::Folded })
 }
 
 /// Measures the chart, after turning it so that it is longest along x.

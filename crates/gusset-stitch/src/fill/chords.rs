@@ -13,10 +13,10 @@ pub(super) trait ChordSet {
     fn chord_count(&self) -> usize;
     fn find(&self, i: usize, k: usize) -> Option<usize>;
     /// Calls `visit` for every chord, in the order of the numbers.
-    fn try_each(&self, visit: impl FnMut(usize, [usize; 2]) -> Result<()>) -> Result<()>;
+    fn try_each_chord(&self, visit: impl FnMut(usize, [usize; 2]) -> Result<()>) -> Result<()>;
     /// Calls `visit` for each m between i and k, ascending, for which (i, m) and (m, k) are chords.
     /// Passes m and the numbers of both chords.
-    fn each_apex(&self, i: usize, k: usize, visit: impl FnMut(usize, [usize; 2]));
+    fn visit_apexes(&self, i: usize, k: usize, visit: impl FnMut(usize, [usize; 2]));
 }
 
 /// All chords of a loop with this number of vertices.
@@ -35,11 +35,11 @@ impl ChordSet for AllChords {
         Some(chord_number(i, k))
     }
 
-    fn try_each(&self, mut visit: impl FnMut(usize, [usize; 2]) -> Result<()>) -> Result<()> {
+    fn try_each_chord(&self, mut visit: impl FnMut(usize, [usize; 2]) -> Result<()>) -> Result<()> {
         (1..self.0).try_for_each(|k| (0..k).rev().try_for_each(|i| visit(chord_number(i, k), [i, k])))
     }
 
-    fn each_apex(&self, i: usize, k: usize, mut visit: impl FnMut(usize, [usize; 2])) {
+    fn visit_apexes(&self, i: usize, k: usize, mut visit: impl FnMut(usize, [usize; 2])) {
         (i + 1..k).for_each(|m| visit(m, [chord_number(i, m), chord_number(m, k)]));
     }
 }
@@ -111,7 +111,7 @@ impl ChordSet for ChordsNearTriangulation {
         after.binary_search_by_key(&(k as u32), |&(k, _)| k).ok().map(|at| after[at].1 as usize)
     }
 
-    fn try_each(&self, mut visit: impl FnMut(usize, [usize; 2]) -> Result<()>) -> Result<()> {
+    fn try_each_chord(&self, mut visit: impl FnMut(usize, [usize; 2]) -> Result<()>) -> Result<()> {
         for k in 0..self.start.len() - 1 {
             for number in self.start[k] as usize..self.start[k + 1] as usize {
                 visit(number, [self.first[number] as usize, k])?;
@@ -120,7 +120,7 @@ impl ChordSet for ChordsNearTriangulation {
         Ok(())
     }
 
-    fn each_apex(&self, i: usize, k: usize, mut visit: impl FnMut(usize, [usize; 2])) {
+    fn visit_apexes(&self, i: usize, k: usize, mut visit: impl FnMut(usize, [usize; 2])) {
         let (after, before, start) = (self.after.get(i), self.chord_starts_to(k), self.start[k] as usize);
         // Walk the shorter list, and search the longer one.
         if after.len() <= before.len() {

@@ -59,7 +59,7 @@ struct GroupPair {
 type BoxDistance = [f64; 2];
 
 /// Two loops or groups, and their distance.
-type NearPair = ([usize; 2], BoxDistance);
+type NearbyPair = ([usize; 2], BoxDistance);
 
 struct GroupSearch<'a> {
     surroundings: OldFacesAtRims<'a>,
@@ -176,7 +176,7 @@ impl GroupSearch<'_> {
     }
 
     /// Returns the pairs of a group with its partner groups, nearest first.
-    fn pairs_to_try(&self, group: usize) -> Result<Vec<NearPair>> {
+    fn pairs_to_try(&self, group: usize) -> Result<Vec<NearbyPair>> {
         let own = self.loops_of_group(group);
         let mut neighbours = Vec::new();
         for &(k, distance) in own.iter().flat_map(|&k| &self.partners[k]) {
@@ -194,7 +194,7 @@ impl GroupSearch<'_> {
     }
 
     /// Adds the pairs that gain.
-    fn try_pairs(&mut self, near: &[NearPair], pairs: &mut Vec<GroupPair>, job: &Job<'_>) -> Result<()> {
+    fn try_pairs(&mut self, near: &[NearbyPair], pairs: &mut Vec<GroupPair>, job: &Job<'_>) -> Result<()> {
         for (at, &(groups, _)) in near.iter().enumerate() {
             let Some(left) = self.trials else {
                 break;
@@ -271,7 +271,7 @@ fn compare_by_distance_then_index<T: Ord>((i, a): &(T, BoxDistance), (k, b): &(T
 ///
 /// Each box proposes its nearest boxes. At most [`MAX_LOOPS_PER_PATCH`] boxes may propose one box:
 /// otherwise the border of a sheet would be near all holes in it.
-fn find_nearby_pairs(boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<NearPair>> {
+fn find_nearby_pairs(boxes: &[Aabb], job: &Job<'_>) -> Result<Vec<NearbyPair>> {
     let rooms = alloc::collect(boxes.iter().map(|around| around.inflated(RELATIVE_BOX_MARGIN * around.diagonal())))?;
     let order = spatial_order(&rooms, 1, &job.part(0.0, 0.2), "triangulating holes")?;
     let tree = BoxTree::new(order.iter().map(|&k| rooms[k as usize]))?;

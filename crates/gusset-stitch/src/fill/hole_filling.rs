@@ -116,7 +116,7 @@ impl<'a> HoleFilling<'a> {
         for (i, &attempt) in ways.iter().enumerate() {
             let job = job.share(i, ways.len());
             if let Some(patch) = planner.build_patch(attempt, &job.part(0.0, 0.9))? {
-                found = Some(self.made.vertices.number_patch(&rim, &names, &patch, attempt, &job.part(0.9, 1.0))?);
+                found = Some(self.made.vertices.place_patch(&rim, &names, &patch, attempt, &job.part(0.9, 1.0))?);
             }
             // The search for several loops is incomplete, so another weight may succeed.
             if found.is_some() || planner.lacks_triangulation() && group.len() == 1 {
@@ -169,7 +169,7 @@ impl<'a> HoleFilling<'a> {
             &self.made.patches[k],
             &job.part(0.0, 0.0),
         )?;
-        let first_tried = self.made.vertices.end_number();
+        let first_tried = self.made.vertices.end_vertex_number();
         let (mut better, mut tried) = (None, self.made.patches[k].vertices.len());
         let ways = list_attempts(self.options);
         for (i, &attempt) in ways.iter().enumerate() {
@@ -184,7 +184,7 @@ impl<'a> HoleFilling<'a> {
                 continue;
             };
             tried += patch.points.len();
-            let mut placed = self.made.vertices.number_patch(&rim, &names, &patch, attempt, &job.part(0.7, 0.8))?;
+            let mut placed = self.made.vertices.place_patch(&rim, &names, &patch, attempt, &job.part(0.7, 0.8))?;
             let count =
                 trials.count_intersections(&self.made.vertices, &self.made.patches, k, &placed, &job.part(0.8, 1.0))?;
             if count < least {

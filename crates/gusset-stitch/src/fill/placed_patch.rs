@@ -39,7 +39,7 @@ impl<'a> MeshAndPatchVertices<'a> {
     }
 
     /// Returns the number after the last vertex.
-    pub(super) fn end_number(&self) -> u32 {
+    pub(super) fn end_vertex_number(&self) -> u32 {
         (self.mesh.positions().len() + self.points.len()) as u32
     }
 
@@ -58,7 +58,7 @@ impl<'a> MeshAndPatchVertices<'a> {
     }
 
     /// Adds a patch. `names` maps the rim's vertices to the mesh.
-    pub(super) fn number_patch(
+    pub(super) fn place_patch(
         &mut self,
         rim: &PatchRim,
         names: &[u32],

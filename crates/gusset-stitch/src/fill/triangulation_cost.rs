@@ -139,7 +139,7 @@ const BEND_STEPS_PER_COSINE: f64 = (1 << 20) as f64;
 
 /// The quantities that all triangulations of the same loops share.
 #[derive(Clone, Copy)]
-pub(super) struct LoopMeasure {
+pub(super) struct CostNormalisation {
     /// The square of the largest distance from the first point.
     size: f64,
     /// The reciprocal of the unit of bulges.
@@ -148,57 +148,67 @@ pub(super) struct LoopMeasure {
     triangles: f64,
 }
 
-impl LoopMeasure {
+impl CostNormalisation {
     /// Measures loops whose triangulations have this number of triangles.
-    pub(super) fn new<'a>(loops: impl Iterator<Item = &'a [DVec3]> + Clone, triangles: usize) -> LoopMeasure {
+    pub(super) fn new<'a>(loops: impl Iterator<Item = &'a [DVec3]> + Clone, triangles: usize) -> CostNormalisation {
         let first = loops.clone().flatten().next().copied().unwrap_or_default();
         let size = loops.clone().flatten().map(|p| p.distance_squared(first)).fold(0.0, f64::max);
         let sides = loops.flat_map(|points| points.iter().zip(points.iter().cycle().skip(1)));
         let length: f64 = sides.map(|(p, q)| p.distance(*q)).sum();
         let per_unit = if length > 0.0 { BULGE_UNITS_PER_RIM / length } else { 0.0 };
-        LoopMeasure { size, per_unit, triangles: triangles.max(1) as f64 }
+        CostNormalisation { size, per_unit, triangles: triangles.max(1) as f64 }
     }
 
     /// Replaces the unit of bulges by the unit of `all`.
-    pub(super) fn with_bulge_unit_of(self, all: LoopMeasure) -> LoopMeasure {
-        LoopMeasure { per_unit: all.per_unit, ..self }
+    pub(super) fn with_bulge_unit_of(self, all: CostNormalisation) -> CostNormalisation {
+        CostNormalisation { per_unit: all.per_unit, ..self }
     }
 }
 
 /// The weights of the triangulations of one polygon.
-pub(super) struct CostScale<'a> {
+pub(super) struct CostEvaluator<'a> {
     polygon: &'a Polygon,
     /// True for places whose edge to the next place is a bridge. Empty for a single loop.
     bridges: &'a [bool],
     weight: Weight,
     /// Values that differ by at most this are equal.
     rounding: f64,
-    measure: LoopMeasure,
+    measure: CostNormalisation,
 }
 
-impl<'a> CostScale<'a> {
+impl<'a> CostEvaluator<'a> {
     pub(super) fn new(polygon: &'a Polygon, weight: Weight) -> Self {
         let points = &polygon.points;
         let size = points.iter().map(|p| p.distance_squared(points[0])).fold(0.0, f64::max);
         let triangles = points.len().saturating_sub(2).max(1) as f64;
-        CostScale::for_opened(polygon, weight, LoopMeasure { size, per_unit: polygon.per_unit, triangles }, &[])
+        CostEvaluator::for_opened_loops(
+            polygon,
+            weight,
+            CostNormalisation { size, per_unit: polygon.per_unit, triangles },
+            &[],
+        )
     }
 
     /// Creates the scale of loops that are cut open along bridges into one polygon.
-    pub(super) fn for_opened(polygon: &'a Polygon, weight: Weight, measure: LoopMeasure, bridges: &'a [bool]) -> Self {
+    pub(super) fn for_opened_loops(
+        polygon: &'a Polygon,
+        weight: Weight,
+        measure: CostNormalisation,
+        bridges: &'a [bool],
+    ) -> Self {
         let rounding = if weight == Weight::Continuation {
             MAX_EQUAL_ANGLE_SUM_DIFFERENCE
         } else {
             MAX_RELATIVE_EQUAL_AREA_DIFFERENCE * measure.size
         };
-        CostScale { polygon, bridges, weight, rounding, measure }
+        CostEvaluator { polygon, bridges, weight, rounding, measure }
     }
 
     pub(super) fn polygon(&self) -> &'a Polygon {
         self.polygon
     }
 
-    pub(super) fn is_less(&self, a: &TriangulationCost, b: &TriangulationCost) -> bool {
+    pub(super) fn is_cheaper(&self, a: &TriangulationCost, b: &TriangulationCost) -> bool {
         match (a.degenerate, a.bend).cmp(&(b.degenerate, b.bend)) {
             Ordering::Less => true,
             Ordering::Greater => false,
@@ -236,7 +246,7 @@ impl<'a> CostScale<'a> {
     /// `None` for other triangles, and if there are several loops. Without seams, a slit with
     /// coincident sides would be closed by pairs of triangles back to back, because triangles
     /// without area are the last choice.
-    pub(super) fn close_seam(
+    pub(super) fn seam_triangle_cost(
         &self,
         [i, m, k]: [usize; 3],
         [left, right]: [DVec3; 2],

@@ -12,7 +12,7 @@
 
 use super::Weight;
 use super::chords::{AllChords, ChordSet, ChordsNearTriangulation};
-use super::triangulation_cost::{CostScale, Polygon, TriangulationCost};
+use super::triangulation_cost::{CostEvaluator, Polygon, TriangulationCost};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -23,7 +23,7 @@ pub(super) const MAX_EXACT_VERTICES: usize = 128;
 /// Largest distance, in vertices, between the ends of a fine chord and the ends of a coarse one.
 /// The bands are tried in order, because a narrow one may lack a triangulation without taken
 /// chords.
-const BAND_WIDTHS: [u32; 4] = [2, 4, 8, 16];
+const CHORD_BAND_WIDTHS: [u32; 4] = [2, 4, 8, 16];
 /// Loops with more vertices start with the narrowest band.
 const MAX_WIDE_BAND_VERTICES: usize = 2_000;
 const NARROW_BAND_WIDTH: u32 = 1;
@@ -51,7 +51,7 @@ pub(super) fn minimum_weight_triangulation(
 ) -> Result<Option<Vec<[u32; 3]>>> {
     let n = polygon.points.len();
     if n <= MAX_EXACT_VERTICES {
-        let scale = CostScale::new(polygon, weight);
+        let scale = CostEvaluator::new(polygon, weight);
         return Ok(best_triangulation(&scale, &AllChords(n), taken, None, job)?.map(|found| found.triangles));
     }
     let (coarse, kept) = polygon.every_other_point()?;
@@ -60,7 +60,7 @@ pub(super) fn minimum_weight_triangulation(
         return Ok(None);
     };
     let job = job.part(0.4, 1.0);
-    let scale = CostScale::new(polygon, weight);
+    let scale = CostEvaluator::new(polygon, weight);
     for band in band_widths_to_try(n) {
         let chords = ChordsNearTriangulation::new(n, &coarse, &kept, band)?;
         if let Some(found) = best_triangulation(&scale, &chords, taken, None, &job.part(0.0, 0.5))? {
@@ -72,12 +72,12 @@ pub(super) fn minimum_weight_triangulation(
 
 /// Returns the bands to try, in order, for a loop of n vertices.
 pub(super) fn band_widths_to_try(n: usize) -> impl Iterator<Item = u32> {
-    (n > MAX_WIDE_BAND_VERTICES).then_some(NARROW_BAND_WIDTH).into_iter().chain(BAND_WIDTHS)
+    (n > MAX_WIDE_BAND_VERTICES).then_some(NARROW_BAND_WIDTH).into_iter().chain(CHORD_BAND_WIDTHS)
 }
 
 /// Repeats the search around a result.
 fn repeat_search_near(
-    scale: &CostScale<'_>,
+    scale: &CostEvaluator<'_>,
     mut found: Triangulation,
     band: u32,
     taken: &dyn Fn(usize, usize) -> bool,
@@ -111,7 +111,7 @@ pub(super) struct Triangulation {
 
 /// The best triangulation of the part of the loop that a chord cuts off.
 #[derive(Clone, Copy)]
-struct ChordCell {
+struct ChordOptimum {
     cost: TriangulationCost,
     /// [`NO_APEX`] if the part lacks a triangulation.
     apex: u32,
@@ -124,7 +124,7 @@ const NO_APEX: u32 = u32::MAX;
 
 /// Returns the best triangulation with these chords; `None` if none costs less than `limit`.
 pub(super) fn best_triangulation(
-    scale: &CostScale<'_>,
+    scale: &CostEvaluator<'_>,
     chords: &impl ChordSet,
     taken: &dyn Fn(usize, usize) -> bool,
     limit: Option<&TriangulationCost>,
@@ -132,13 +132,13 @@ pub(super) fn best_triangulation(
 ) -> Result<Option<Triangulation>> {
     let polygon = scale.polygon();
     let n = polygon.points.len();
-    let none = ChordCell { cost: TriangulationCost::ZERO, apex: NO_APEX, normal: DVec3::ZERO, bulge: 0.0 };
+    let none = ChordOptimum { cost: TriangulationCost::ZERO, apex: NO_APEX, normal: DVec3::ZERO, bulge: 0.0 };
     let mut cells = alloc::filled(none, chords.chord_count())?;
-    chords.try_each(|number, [i, k]| {
+    chords.try_each_chord(|number, [i, k]| {
         job.step_every(CHORDS_PER_REPORT, number, chords.chord_count(), "triangulating holes")?;
         if k == i + 1 {
             cells[number] =
-                ChordCell { apex: i as u32, normal: polygon.across[i], bulge: scale.chord_bulge(i, k), ..none };
+                ChordOptimum { apex: i as u32, normal: polygon.across[i], bulge: scale.chord_bulge(i, k), ..none };
         } else if k - i + 1 == n || !taken(i, k) {
             cells[number] = best_triangle_on_chord(scale, chords, &cells, [i, k], limit).unwrap_or(none);
         }
@@ -162,29 +162,29 @@ pub(super) fn best_triangulation(
 
 /// Returns the best triangle on the chord (i, k).
 fn best_triangle_on_chord(
-    scale: &CostScale<'_>,
+    scale: &CostEvaluator<'_>,
     chords: &impl ChordSet,
-    cells: &[ChordCell],
+    cells: &[ChordOptimum],
     [i, k]: [usize; 2],
     limit: Option<&TriangulationCost>,
-) -> Option<ChordCell> {
+) -> Option<ChordOptimum> {
     let polygon = scale.polygon();
     let bulge = scale.chord_bulge(i, k);
     let at_root = k - i + 1 == polygon.points.len();
-    let mut best: Option<ChordCell> = None;
-    chords.each_apex(i, k, |m, sides| {
+    let mut best: Option<ChordOptimum> = None;
+    chords.visit_apexes(i, k, |m, sides| {
         let [left, right] = sides.map(|side| &cells[side]);
         if left.apex == NO_APEX || right.apex == NO_APEX {
             return;
         }
         // Costs only grow, so a partial cost that is not less can be dropped.
         let least = best.as_ref().map(|best| &best.cost).or(limit);
-        let is_less = |cost: &TriangulationCost| least.is_none_or(|least| scale.is_less(cost, least));
+        let is_less = |cost: &TriangulationCost| least.is_none_or(|least| scale.is_cheaper(cost, least));
         let parts = left.cost.plus(right.cost);
         if !is_less(&parts) {
             return;
         }
-        let seam = scale.close_seam([i, m, k], [left.normal, right.normal]);
+        let seam = scale.seam_triangle_cost([i, m, k], [left.normal, right.normal]);
         let is_seam = seam.is_some();
         let (normal, own) = seam.unwrap_or_else(|| scale.triangle_cost([i, m, k], [left.bulge, right.bulge, bulge]));
         let mut cost = parts.plus(own);
@@ -202,7 +202,7 @@ fn best_triangle_on_chord(
             cost = cost.plus(scale.bend_cost([i, k], normal, polygon.across[k]));
         }
         if is_less(&cost) {
-            best = Some(ChordCell { cost, apex: m as u32, normal, bulge });
+            best = Some(ChordOptimum { cost, apex: m as u32, normal, bulge });
         }
     });
     best

@@ -60,7 +60,7 @@ fn are_all_on_one_side(signs: [f64; 3]) -> bool {
 
 /// Returns a projection in which the triangle has a positive area; `None` for a degenerate
 /// triangle.
-fn projection_with_area([a, b, c]: [DVec3; 3]) -> Option<AxisProjection> {
+fn non_degenerate_projection([a, b, c]: [DVec3; 3]) -> Option<AxisProjection> {
     (0..3).map(AxisProjection).find(|along| along.projected_double_area(a, b, c) != 0.0)
 }
 
@@ -80,7 +80,7 @@ fn segment_meets(p: DVec3, q: DVec3, triangle: [DVec3; 3]) -> bool {
             six_fold_signed_volume(p, q, c, a),
         ]);
     }
-    match projection_with_area(triangle) {
+    match non_degenerate_projection(triangle) {
         Some(along) => along.segment_meets(p, q, triangle),
         // A degenerate triangle consists of its three edges.
         None => [(a, b), (b, c), (c, a)].iter().any(|&(r, s)| segments_meet(p, q, r, s)),
@@ -164,12 +164,12 @@ fn unified_triangles_intersect(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVe
             };
             // Collinear: beyond the same end of the edge.
             let beyond_same_end = || {
-                projection_with_area(q).is_none()
+                non_degenerate_projection(q).is_none()
                     && ![a, b].iter().any(|&x| is_on_segment(x, e, f))
                     && ![e, f].iter().any(|&x| is_on_segment(x, a, b))
             };
             six_fold_signed_volume(e, f, a, b) == 0.0
-                && projection_with_area(p).map_or_else(beyond_same_end, same_side_of_edge)
+                && non_degenerate_projection(p).map_or_else(beyond_same_end, same_side_of_edge)
         }
         _ => true,
     }

@@ -106,7 +106,7 @@ pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<O
         let mut invert = 2 * against > component.len();
         if options.outward == Outward::Closed && search.closed {
             // Invert the component if it faces inwards after the search.
-            let inward = does_face_inward(mesh, component, &turned, &job.part(0.9, 0.9))?.unwrap_or(invert);
+            let inward = is_inside_out(mesh, component, &turned, &job.part(0.9, 0.9))?.unwrap_or(invert);
             inverted_components += u32::from(inward != invert);
             invert = inward;
         }
@@ -174,7 +174,7 @@ fn find_inward_components(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Outwards
         let component = &search.found;
         let consistent = search.half_edge == NONE && !component.iter().any(|&g| against[g as usize]);
         if search.closed && consistent {
-            match does_face_inward(mesh, component, &against, &job.part(1.0, 1.0))? {
+            match is_inside_out(mesh, component, &against, &job.part(1.0, 1.0))? {
                 Some(true) => alloc::append(&mut outwards.turned, component)?,
                 Some(false) => {}
                 None => alloc::push(&mut outwards.zero_volume, f)?,
@@ -251,7 +251,7 @@ impl<'m> ComponentSearch<'m> {
 ///
 /// By the divergence theorem, 6 V = sum of p ((q - p) x (r - p)) over triangles p, q, r.
 /// Coordinates are relative to a vertex of the set, in a power-of-two unit of its size.
-fn does_face_inward(mesh: &MeshView<'_>, faces: &[u32], turned: &[bool], job: &Job<'_>) -> Result<Option<bool>> {
+fn is_inside_out(mesh: &MeshView<'_>, faces: &[u32], turned: &[bool], job: &Job<'_>) -> Result<Option<bool>> {
     let point = |v: u32| mesh.positions().get(v);
     let corners = || faces.iter().flat_map(|&f| mesh.face(f as usize));
     // Halve the coordinates, so that differences of the largest numbers do not overflow.

@@ -68,7 +68,7 @@ pub(super) fn sew_coincident_edges(
         let [a, b] = if clusters[u as usize] == clusters[a as usize] { [a, b] } else { [b, a] };
         let of = |v: u32| sets.label[v as usize];
         let seam = Seam([[of(u), of(a)], [of(v), of(b)]]);
-        if sets.is_harmless(&seam) {
+        if sets.can_sew_without_harm(&seam) {
             seam.0.iter().for_each(|&[a, b]| sets.merge_sets(a, b));
         }
     }
@@ -163,7 +163,7 @@ impl MergedVertexSets<'_> {
     }
 
     /// Returns true if sewing the seam does no harm.
-    fn is_harmless(&self, seam: &Seam) -> bool {
+    fn can_sew_without_harm(&self, seam: &Seam) -> bool {
         seam.0.iter().filter(|&[a, b]| a != b).all(|&[a, b]| {
             let [small, large] = if self.degree[a as usize] <= self.degree[b as usize] { [a, b] } else { [b, a] };
             self.corners_of_set(small).all(|h| {

@@ -98,7 +98,7 @@ impl TJunctions {
         let tolerance = WeldTolerance::find(mesh, &members, source, &job.part(0.0, 0.1))?;
         let clusters = VertexClusters::find(mesh, &members, &tolerance.reach, None, &job.part(0.1, 0.3))?;
         let border = FreeBorder { mesh, edges: &edges, members: &members, clusters: &clusters.representative };
-        let mut splits = border.places_on_edges(&tolerance.reach, &job.part(0.3, 0.7))?;
+        let mut splits = border.find_places_on_edges(&tolerance.reach, &job.part(0.3, 0.7))?;
         job.step(0.7, STAGE)?;
         let mut left = alloc::gather(splits.iter().map(|split| split.vertex))?;
         border.keep_useful_splits(&mut splits, &job.part(0.7, 1.0))?;
@@ -128,7 +128,7 @@ impl FreeBorder<'_> {
 
     /// Returns all places on edges, by edge and along each edge. `reach` has an entry per member;
     /// empty for 0.
-    fn places_on_edges(&self, reach: &[f64], job: &Job<'_>) -> Result<Vec<EdgeSplit>> {
+    fn find_places_on_edges(&self, reach: &[f64], job: &Job<'_>) -> Result<Vec<EdgeSplit>> {
         let points = self.members.iter().map(|&v| self.mesh.positions().get(v));
         let points = alloc::collect_cancellable(points, &job.part(0.0, 0.0), STAGE)?;
         job.step(0.0, STAGE)?;

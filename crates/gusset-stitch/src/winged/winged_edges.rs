@@ -120,7 +120,7 @@ impl WingedEdges {
         for h in range.clone() {
             let n = ends.next().unwrap_or(NONE);
             if self.of_half_edge[h] == NONE {
-                let (mate, marks) = record_mate(mesh, topology, h as u32);
+                let (mate, marks) = mate_in_record(mesh, topology, h as u32);
                 let edge = self.edges.len() as u32;
                 let none = NONE;
                 alloc::push(
@@ -166,7 +166,7 @@ impl WingedEdges {
 }
 
 /// Returns the half-edge that shares the record of `h`, and the record's marks.
-fn record_mate(mesh: &MeshView<'_>, topology: &Topology, h: u32) -> (Option<u32>, u32) {
+fn mate_in_record(mesh: &MeshView<'_>, topology: &Topology, h: u32) -> (Option<u32>, u32) {
     if topology.is_ignored(h) {
         return (None, EdgeMarks::DEGENERATE);
     }

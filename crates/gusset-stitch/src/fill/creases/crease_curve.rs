@@ -5,7 +5,7 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 
 /// Number of pieces for measuring the length of a curve.
-const PIECES_FOR_LENGTH: usize = 16;
+const CURVE_PIECES_FOR_LENGTH: usize = 16;
 
 /// The angle between two vectors, in radians; 0 if one is 0.
 pub(super) fn angle_between(u: DVec3, v: DVec3) -> f64 {
@@ -49,7 +49,10 @@ impl CubicCurve {
     }
 
     pub(super) fn length(&self) -> f64 {
-        self.points(PIECES_FOR_LENGTH).zip(self.points(PIECES_FOR_LENGTH).skip(1)).map(|(p, q)| p.distance(q)).sum()
+        self.points(CURVE_PIECES_FOR_LENGTH)
+            .zip(self.points(CURVE_PIECES_FOR_LENGTH).skip(1))
+            .map(|(p, q)| p.distance(q))
+            .sum()
     }
 
     /// Returns the largest distance from the chord, relative to the chord's length.
@@ -57,7 +60,7 @@ impl CubicCurve {
         let CubicCurve([p, _, _, q]) = *self;
         let chord = q - p;
         let off = |r: DVec3| (r - p).cross(chord).length() / chord.length_squared();
-        self.points(PIECES_FOR_LENGTH).map(off).fold(0.0, f64::max)
+        self.points(CURVE_PIECES_FOR_LENGTH).map(off).fold(0.0, f64::max)
     }
 
     /// Returns the inner points that divide the curve into `pieces`.

@@ -7,7 +7,7 @@
 
 use super::super::chords::AllChords;
 use super::super::triangulation_cost::TriangulationCost;
-use super::closing_task::{ClosedLoops, ClosingTask, RepeatedEdges};
+use super::closing_task::{ClosingTask, OpenedLoopsTriangulation, RepeatedEdgeTreatment};
 use super::numbered_rims::NumberedRims;
 use super::opened_loops::OpenedLoops;
 use gusset_base::alloc;
@@ -95,7 +95,7 @@ impl PartialTree {
 struct BridgeTreeSearch<'a> {
     task: &'a ClosingTask<'a>,
     bridges: SortedBridges,
-    best: Option<ClosedLoops>,
+    best: Option<OpenedLoopsTriangulation>,
     /// Triangulations that cost no less than this are skipped.
     limit: Option<TriangulationCost>,
     repeats: usize,
@@ -115,7 +115,7 @@ pub(super) fn best_triangulation_over_trees(
     limit: Option<TriangulationCost>,
     repeats: usize,
     job: &Job<'_>,
-) -> Result<Option<ClosedLoops>> {
+) -> Result<Option<OpenedLoopsTriangulation>> {
     let (rims, k) = (task.rims, task.rims.loop_count());
     let mut search = BridgeTreeSearch { task, bridges: SortedBridges::new(task)?, best: None, limit, repeats };
     let count = search.bridges.sorted.len();
@@ -147,7 +147,7 @@ impl BridgeTreeSearch<'_> {
                 |u: u32, v: u32| rims.joins_two_loops(u, v) && bridges.rank_of_bridge(rims, u, v) < least(u, v);
             let chords = AllChords(branch.opened.len());
             let limit = self.best.as_ref().map(|best| &best.cost).or(self.limit.as_ref());
-            let repeats = RepeatedEdges::Both(&mut self.repeats);
+            let repeats = RepeatedEdgeTreatment::Both(&mut self.repeats);
             let found = self.task.search_polygon(branch.opened, &chords, &excluded, limit, repeats, job)?;
             self.best = found.or(self.best.take());
             return Ok(());

@@ -2,7 +2,7 @@
 
 use super::super::Weight;
 use super::super::chords::ChordSet;
-use super::super::triangulation_cost::{CostScale, LoopMeasure, TriangulationCost};
+use super::super::triangulation_cost::{CostEvaluator, CostNormalisation, TriangulationCost};
 use super::super::triangulation_search::best_triangulation;
 use super::numbered_rims::NumberedRims;
 use super::opened_loops::OpenedLoops;
@@ -17,7 +17,7 @@ use gusset_base::sort::Buckets;
 pub(super) struct ClosingTask<'a> {
     pub(super) rims: &'a NumberedRims,
     pub(super) weight: Weight,
-    pub(super) measure: LoopMeasure,
+    pub(super) measure: CostNormalisation,
     /// Returns true if two vertices must not get an edge.
     pub(super) taken: &'a dyn Fn(u32, u32) -> bool,
     /// False for thinned loops: of their edges, only bridges are sure to stay edges.
@@ -25,19 +25,19 @@ pub(super) struct ClosingTask<'a> {
 }
 
 /// How the search treats triangulations that repeat an edge.
-pub(super) enum RepeatedEdges<'a> {
+pub(super) enum RepeatedEdgeTreatment<'a> {
     /// Searches without the first chord and without the second, this many times in all.
     Both(&'a mut usize),
     /// Searches with only one chord of each repeated pair, this many times.
     One(usize),
 }
 
-impl RepeatedEdges<'_> {
+impl RepeatedEdgeTreatment<'_> {
     /// Returns the sets of chords to exclude next, in turn, if the chords `repeated` occur.
     fn next_exclusions(&mut self, without: &[[u32; 2]], repeated: &[[[u32; 2]; 2]]) -> Result<Vec<Vec<[u32; 2]>>> {
         let left = match self {
-            RepeatedEdges::Both(left) => left,
-            RepeatedEdges::One(left) => left,
+            RepeatedEdgeTreatment::Both(left) => left,
+            RepeatedEdgeTreatment::One(left) => left,
         };
         if *left == 0 {
             return Ok(Vec::new());
@@ -50,16 +50,16 @@ impl RepeatedEdges<'_> {
             Ok(all)
         };
         match self {
-            RepeatedEdges::Both(_) => {
+            RepeatedEdgeTreatment::Both(_) => {
                 alloc::try_collect(repeated[0].iter().map(|&chord| with(&mut [chord].into_iter())))
             }
-            RepeatedEdges::One(_) => Ok(vec![with(&mut repeated.iter().map(|pair| pair[1]))?]),
+            RepeatedEdgeTreatment::One(_) => Ok(vec![with(&mut repeated.iter().map(|pair| pair[1]))?]),
         }
     }
 }
 
 /// A triangulation of loops that are cut open.
-pub(super) struct ClosedLoops {
+pub(super) struct OpenedLoopsTriangulation {
     pub(super) opened: OpenedLoops,
     /// Triples of places, ascending.
     pub(super) triangles: Vec<[u32; 3]>,
@@ -69,8 +69,8 @@ pub(super) struct ClosedLoops {
 
 impl ClosingTask<'_> {
     /// Returns true if `a` is less than `b` by the measure of these loops.
-    pub(super) fn is_less(&self, a: &TriangulationCost, b: &TriangulationCost) -> bool {
-        CostScale::for_opened(&self.rims.all, self.weight, self.measure, &[]).is_less(a, b)
+    pub(super) fn is_cheaper(&self, a: &TriangulationCost, b: &TriangulationCost) -> bool {
+        CostEvaluator::for_opened_loops(&self.rims.all, self.weight, self.measure, &[]).is_cheaper(a, b)
     }
 
     /// Returns true if no chord may join the vertices.
@@ -88,11 +88,11 @@ impl ClosingTask<'_> {
         chords: &impl ChordSet,
         excluded: &dyn Fn(u32, u32) -> bool,
         limit: Option<&TriangulationCost>,
-        mut repeats: RepeatedEdges<'_>,
+        mut repeats: RepeatedEdgeTreatment<'_>,
         job: &Job<'_>,
-    ) -> Result<Option<ClosedLoops>> {
+    ) -> Result<Option<OpenedLoopsTriangulation>> {
         let polygon = opened.polygon(self.rims)?;
-        let scale = CostScale::for_opened(&polygon, self.weight, self.measure, &opened.bridges);
+        let scale = CostEvaluator::for_opened_loops(&polygon, self.weight, self.measure, &opened.bridges);
         let tree = opened.bridge_tree()?;
         let mut is_copied = alloc::filled(false, self.rims.vertex_count())?;
         tree.iter().flat_map(|(ends, _)| ends).for_each(|&v| is_copied[v as usize] = true);
@@ -119,17 +119,17 @@ impl ClosingTask<'_> {
                 continue;
             }
             let cost = next.cost.plus(cost_of_bridge_bends(&scale, &tree, &next.triangles)?);
-            if least.is_none_or(|least| scale.is_less(&cost, least)) {
+            if least.is_none_or(|least| scale.is_cheaper(&cost, least)) {
                 best = Some((next.triangles, cost));
             }
         }
-        Ok(best.map(|(triangles, cost)| ClosedLoops { opened, triangles, cost }))
+        Ok(best.map(|(triangles, cost)| OpenedLoopsTriangulation { opened, triangles, cost }))
     }
 
     /// Returns the cost of any triangles that close the loops, over the vertices of all loops.
     pub(super) fn cost_of_closing(&self, triangles: &[[u32; 3]]) -> Result<TriangulationCost> {
         let rims = self.rims;
-        let scale = CostScale::for_opened(&rims.all, self.weight, self.measure, &[]);
+        let scale = CostEvaluator::for_opened_loops(&rims.all, self.weight, self.measure, &[]);
         let sides = |&[a, b, c]: &[u32; 3]| [[b, c], [c, a], [a, b]];
         let bulge = |[u, v]: [u32; 2]| {
             if rims.is_rim_edge(u, v) { 0.0 } else { scale.bulge_of_any_chord([u as usize, v as usize]) }
@@ -164,7 +164,7 @@ impl ClosingTask<'_> {
 
 /// Returns the cost of the bends across bridges, which the search of the polygon does not see.
 fn cost_of_bridge_bends(
-    scale: &CostScale<'_>,
+    scale: &CostEvaluator<'_>,
     tree: &[([u32; 2], [usize; 2])],
     triangles: &[[u32; 3]],
 ) -> Result<TriangulationCost> {

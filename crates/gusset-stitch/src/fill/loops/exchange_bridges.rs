@@ -3,7 +3,7 @@
 
 use super::super::chords::AllChords;
 use super::bridge_trees::{MAX_EXAMINED_TRIANGLES, estimate_polygon_work};
-use super::closing_task::{ClosedLoops, ClosingTask, RepeatedEdges};
+use super::closing_task::{ClosingTask, OpenedLoopsTriangulation, RepeatedEdgeTreatment};
 use super::improve_along_bridges::{MAX_REPEATED_EDGE_SEARCHES, NO_TAKEN_EDGE};
 use super::numbered_rims::NumberedRims;
 use super::opened_loops::OpenedLoops;
@@ -25,7 +25,7 @@ pub(super) fn estimate_pass_work(lengths: impl Iterator<Item = usize> + Clone) -
 /// Returns a good triangulation, not always the best.
 ///
 /// O(k n^3) for k loops with n vertices in all.
-pub(super) fn exchange_bridges(task: &ClosingTask<'_>, job: &Job<'_>) -> Result<Option<ClosedLoops>> {
+pub(super) fn exchange_bridges(task: &ClosingTask<'_>, job: &Job<'_>) -> Result<Option<OpenedLoopsTriangulation>> {
     let rims = task.rims;
     let n = rims.vertex_count() as u32;
     let pairs = (0..n).flat_map(|u| (u + 1..n).map(move |v| [u, v]));
@@ -38,7 +38,7 @@ pub(super) fn exchange_bridges(task: &ClosingTask<'_>, job: &Job<'_>) -> Result<
     };
     let mut left = (2.0 * MAX_EXAMINED_TRIANGLES / estimate_polygon_work(n as usize + 2 * tree.len())) as usize;
     let allowed = left.max(1) as f64;
-    let search = |tree: &[[u32; 2]], best: &Option<ClosedLoops>, left: usize| {
+    let search = |tree: &[[u32; 2]], best: &Option<OpenedLoopsTriangulation>, left: usize| {
         let opened = open_loops_along_tree(rims, tree)?;
         let limit = best.as_ref().map(|best| &best.cost);
         let chords = AllChords(opened.len());
@@ -47,7 +47,7 @@ pub(super) fn exchange_bridges(task: &ClosingTask<'_>, job: &Job<'_>) -> Result<
             &chords,
             NO_TAKEN_EDGE,
             limit,
-            RepeatedEdges::One(MAX_REPEATED_EDGE_SEARCHES),
+            RepeatedEdgeTreatment::One(MAX_REPEATED_EDGE_SEARCHES),
             &job.part(1.0 - left as f64 / allowed, 1.0),
         )
     };

@@ -4,7 +4,7 @@ use super::super::chords::{AllChords, ChordsNearTriangulation};
 use super::super::triangulation_search::{
     MAX_EXACT_VERTICES, MAX_SEARCHED_VERTICES, MIN_RELATIVE_GAIN, band_widths_to_try,
 };
-use super::closing_task::{ClosedLoops, ClosingTask, RepeatedEdges};
+use super::closing_task::{ClosingTask, OpenedLoopsTriangulation, RepeatedEdgeTreatment};
 use super::numbered_rims::NumberedRims;
 use super::opened_loops::cut_open_along_tree;
 use gusset_base::alloc;
@@ -25,9 +25,9 @@ pub(super) const NO_TAKEN_EDGE: &dyn Fn(u32, u32) -> bool = &|_, _| false;
 /// improves it.
 pub(super) fn improve_along_other_bridges(
     task: &ClosingTask<'_>,
-    mut best: ClosedLoops,
+    mut best: OpenedLoopsTriangulation,
     job: &Job<'_>,
-) -> Result<ClosedLoops> {
+) -> Result<OpenedLoopsTriangulation> {
     let n = best.opened.len();
     let rounds = if n <= MAX_EXACT_VERTICES {
         MAX_IMPROVEMENT_ROUNDS
@@ -51,7 +51,7 @@ pub(super) fn improve_along_other_bridges(
                 &AllChords(n),
                 NO_TAKEN_EDGE,
                 limit,
-                RepeatedEdges::One(MAX_REPEATED_EDGE_SEARCHES),
+                RepeatedEdgeTreatment::One(MAX_REPEATED_EDGE_SEARCHES),
                 &job,
             )?
         } else {
@@ -63,7 +63,7 @@ pub(super) fn improve_along_other_bridges(
                 &chords,
                 NO_TAKEN_EDGE,
                 limit,
-                RepeatedEdges::One(MAX_REPEATED_EDGE_SEARCHES),
+                RepeatedEdgeTreatment::One(MAX_REPEATED_EDGE_SEARCHES),
                 &job,
             )?
         };

@@ -31,9 +31,9 @@ mod zip_loops;
 
 use super::Weight;
 use super::chords::{AllChords, ChordsNearTriangulation};
-use super::triangulation_cost::{LoopMeasure, Polygon, TriangulationCost};
+use super::triangulation_cost::{CostNormalisation, Polygon, TriangulationCost};
 use super::triangulation_search::{MAX_EXACT_VERTICES, band_widths_to_try, minimum_weight_triangulation};
-use closing_task::{ClosedLoops, ClosingTask, RepeatedEdges};
+use closing_task::{ClosingTask, OpenedLoopsTriangulation, RepeatedEdgeTreatment};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -41,7 +41,7 @@ use improve_along_bridges::{MAX_REPEATED_EDGE_SEARCHES, NO_TAKEN_EDGE};
 use numbered_rims::NumberedRims;
 
 /// Largest number of vertices, bridges counted twice, that are searched at full density.
-const MAX_DENSE_VERTICES: usize = 1_000;
+const MAX_DENSE_SEARCH_VERTICES: usize = 1_000;
 
 /// Number of vertices to which each loop is thinned to predict whether two loops may share a patch.
 const TRIAL_VERTICES_PER_LOOP: usize = 5;
@@ -83,7 +83,7 @@ pub(super) fn triangulate_loops_together(
         return minimum_weight_triangulation(polygon, weight, &|i, k| taken(i as u32, k as u32), job);
     }
     let rims = NumberedRims::new(loops)?;
-    let task = ClosingTask { rims: &rims, weight, measure: rims.measure_together(), taken, is_finest: true };
+    let task = ClosingTask { rims: &rims, weight, measure: rims.common_cost_normalisation(), taken, is_finest: true };
     let plane = nested_loops::normal_of_common_plane(&rims);
     if let Some(normal) = plane
         && let Some(triangles) = nested_loops::triangulate_nested_loops(&task, normal, &job.part(0.0, 0.2))?
@@ -103,7 +103,7 @@ pub(super) fn triangulate_loops_together(
 /// The points need a common origin and unit. O(n log n).
 pub(super) fn cost_of_closing(loops: &[Polygon], triangles: &[[u32; 3]], weight: Weight) -> Result<TriangulationCost> {
     let rims = NumberedRims::new(loops)?;
-    let measure = LoopMeasure::new(rims.loop_points(), triangles.len());
+    let measure = CostNormalisation::new(rims.loop_points(), triangles.len());
     ClosingTask { rims: &rims, weight, measure, taken: NO_TAKEN_EDGE, is_finest: true }.cost_of_closing(triangles)
 }
 
@@ -127,13 +127,22 @@ pub(super) fn may_cost_less_together(loops: [&Polygon; 2], weight: Weight, job: 
     }
     let limit = cost_of_closing(&few, &apart, weight)?.scaled(MAX_PREDICTED_COST_RATIO);
     let rims = NumberedRims::new(&few)?;
-    let task =
-        ClosingTask { rims: &rims, weight, measure: rims.measure_together(), taken: NO_TAKEN_EDGE, is_finest: true };
+    let task = ClosingTask {
+        rims: &rims,
+        weight,
+        measure: rims.common_cost_normalisation(),
+        taken: NO_TAKEN_EDGE,
+        is_finest: true,
+    };
     Ok(bridge_trees::best_triangulation_over_trees(&task, Some(limit), MAX_REPEATED_EDGE_SEARCHES, job)?.is_some())
 }
 
 /// Triangulates from coarse to fine.
-fn close_loops_coarse_to_fine(loops: &[Polygon], task: &ClosingTask<'_>, job: &Job<'_>) -> Result<Option<ClosedLoops>> {
+fn close_loops_coarse_to_fine(
+    loops: &[Polygon],
+    task: &ClosingTask<'_>,
+    job: &Job<'_>,
+) -> Result<Option<OpenedLoopsTriangulation>> {
     let lengths = loops.iter().map(|polygon| polygon.points.len());
     let n = task.rims.vertex_count() + 2 * loops.len() - 2;
     if bridge_trees::estimate_search_work(lengths.clone()) <= bridge_trees::MAX_EXAMINED_TRIANGLES {
@@ -151,7 +160,7 @@ fn close_loops_coarse_to_fine(loops: &[Polygon], task: &ClosingTask<'_>, job: &J
         loops.len() > 3 && exchange_bridges::estimate_pass_work(lengths) <= bridge_trees::MAX_EXAMINED_TRIANGLES;
     let thin = if is_small { None } else { numbered_rims::thin_loops(loops)? };
     let Some((coarse, kept)) = thin else {
-        if n > MAX_DENSE_VERTICES {
+        if n > MAX_DENSE_SEARCH_VERTICES {
             return Ok(None);
         }
         let best = exchange_bridges::exchange_bridges(task, &job.part(0.0, 0.8))?;
@@ -161,7 +170,7 @@ fn close_loops_coarse_to_fine(loops: &[Polygon], task: &ClosingTask<'_>, job: &J
     };
     let rims = NumberedRims::new(&coarse)?;
     let taken = |u: u32, v: u32| (task.taken)(kept[u as usize], kept[v as usize]);
-    let measure = rims.measure_together().with_bulge_unit_of(task.measure);
+    let measure = rims.common_cost_normalisation().with_bulge_unit_of(task.measure);
     let coarse_task = ClosingTask { rims: &rims, weight: task.weight, measure, taken: &taken, is_finest: false };
     let Some(coarse) = close_loops_coarse_to_fine(&coarse, &coarse_task, &job.part(0.0, 0.4))? else {
         return Ok(None);
@@ -176,10 +185,10 @@ fn close_loops_coarse_to_fine(loops: &[Polygon], task: &ClosingTask<'_>, job: &J
 /// Refines a triangulation of thinned loops, with chords near the coarse ones.
 fn refine_triangulation(
     task: &ClosingTask<'_>,
-    coarse: &ClosedLoops,
+    coarse: &OpenedLoopsTriangulation,
     kept: &[u32],
     job: &Job<'_>,
-) -> Result<Option<ClosedLoops>> {
+) -> Result<Option<OpenedLoopsTriangulation>> {
     let n = task.rims.vertex_count() + 2 * task.rims.loop_count() - 2;
     if n <= MAX_EXACT_VERTICES {
         let (opened, _) = coarse.opened.refined_loops(task.rims, kept)?;
@@ -188,7 +197,7 @@ fn refine_triangulation(
             &AllChords(n),
             NO_TAKEN_EDGE,
             None,
-            RepeatedEdges::One(MAX_REPEATED_EDGE_SEARCHES),
+            RepeatedEdgeTreatment::One(MAX_REPEATED_EDGE_SEARCHES),
             job,
         )? {
             return Ok(Some(found));
@@ -203,7 +212,7 @@ fn refine_triangulation(
             &chords,
             NO_TAKEN_EDGE,
             None,
-            RepeatedEdges::One(MAX_REPEATED_EDGE_SEARCHES),
+            RepeatedEdgeTreatment::One(MAX_REPEATED_EDGE_SEARCHES),
             job,
         )? {
             return Ok(Some(found));
@@ -215,9 +224,9 @@ fn refine_triangulation(
 /// Returns the triangulation of the thinned loops with an ear at each additional vertex.
 fn add_ears_at_finer_vertices(
     task: &ClosingTask<'_>,
-    coarse: &ClosedLoops,
+    coarse: &OpenedLoopsTriangulation,
     kept: &[u32],
-) -> Result<Option<ClosedLoops>> {
+) -> Result<Option<OpenedLoopsTriangulation>> {
     let (opened, places) = coarse.opened.refined_loops(task.rims, kept)?;
     let n = opened.len() as u32;
     let mut triangles = alloc::collect(coarse.triangles.iter().map(|corners| corners.map(|p| places[p as usize])))?;
@@ -232,5 +241,5 @@ fn add_ears_at_finer_vertices(
         return Ok(None);
     }
     let cost = task.cost_of_closing(&named)?;
-    Ok(Some(ClosedLoops { opened, triangles, cost }))
+    Ok(Some(OpenedLoopsTriangulation { opened, triangles, cost }))
 }

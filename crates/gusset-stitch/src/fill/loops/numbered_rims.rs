@@ -1,6 +1,6 @@
 //! Several loops with common vertex numbers.
 
-use super::super::triangulation_cost::{LoopMeasure, Polygon};
+use super::super::triangulation_cost::{CostNormalisation, Polygon};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -71,8 +71,8 @@ impl NumberedRims {
     }
 
     /// Returns the measure of triangulations that close all loops together.
-    pub(super) fn measure_together(&self) -> LoopMeasure {
-        LoopMeasure::new(self.loop_points(), (self.vertex_count() + 2 * self.loop_count()).saturating_sub(4))
+    pub(super) fn common_cost_normalisation(&self) -> CostNormalisation {
+        CostNormalisation::new(self.loop_points(), (self.vertex_count() + 2 * self.loop_count()).saturating_sub(4))
     }
 
     /// Returns the squared distance between two vertices.

@@ -6,7 +6,7 @@
 
 use super::super::chords::ChordsNearTriangulation;
 use super::super::triangulation_search::band_widths_to_try;
-use super::closing_task::{ClosedLoops, ClosingTask, RepeatedEdges};
+use super::closing_task::{ClosingTask, OpenedLoopsTriangulation, RepeatedEdgeTreatment};
 use super::improve_along_bridges::{MAX_REPEATED_EDGE_SEARCHES, NO_TAKEN_EDGE};
 use super::opened_loops::OpenedLoops;
 use gusset_base::alloc;
@@ -20,7 +20,11 @@ const MAX_BRIDGE_STEPS: usize = 4;
 /// Returns `best` unless there are exactly two loops.
 ///
 /// O(n log n).
-pub(super) fn zip_loops(task: &ClosingTask<'_>, best: ClosedLoops, job: &Job<'_>) -> Result<ClosedLoops> {
+pub(super) fn zip_loops(
+    task: &ClosingTask<'_>,
+    best: OpenedLoopsTriangulation,
+    job: &Job<'_>,
+) -> Result<OpenedLoopsTriangulation> {
     let rims = task.rims;
     let named = best.opened.places_to_vertices(&best.triangles)?;
     let sides = named.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
@@ -42,7 +46,7 @@ pub(super) fn zip_loops(task: &ClosingTask<'_>, best: ClosedLoops, job: &Job<'_>
     let opened =
         OpenedLoops::from_loop(rims.loop_vertices(0))?.extended_by_loop(u as usize, rims.loop_vertices(1), v)?;
     let triangles = zip_from_bridge(task, &opened, rims.loop_vertices(1).len())?;
-    if !task.is_less(&task.cost_of_closing(&opened.places_to_vertices(&triangles)?)?, &best.cost) {
+    if !task.is_cheaper(&task.cost_of_closing(&opened.places_to_vertices(&triangles)?)?, &best.cost) {
         return Ok(best);
     }
     let n = opened.len();
@@ -53,7 +57,7 @@ pub(super) fn zip_loops(task: &ClosingTask<'_>, best: ClosedLoops, job: &Job<'_>
         &chords,
         NO_TAKEN_EDGE,
         Some(&best.cost),
-        RepeatedEdges::One(MAX_REPEATED_EDGE_SEARCHES),
+        RepeatedEdgeTreatment::One(MAX_REPEATED_EDGE_SEARCHES),
         job,
     )?;
     Ok(found.unwrap_or(best))
