@@ -44,7 +44,7 @@ const MIN_RELATIVE_HEIGHT: f64 = 1e-6;
 const MAX_RELATIVE_DEVIATION: f64 = 0.5;
 /// Largest number of different jumps, counting both directions. Jumps that differ by less than this
 /// fraction are the same.
-const MAX_JUMPS: usize = 32;
+const MAX_CHART_JUMPS: usize = 32;
 const MAX_RELATIVE_JUMP_DIFFERENCE: f64 = 1e-3;
 /// Jumps, and deviations from an extended chart, are long if they exceed this multiple of the usual
 /// length of a base.
@@ -239,7 +239,7 @@ impl ChartContinuation {
                 off <= MAX_RELATIVE_JUMP_DIFFERENCE * MAX_RELATIVE_JUMP_DIFFERENCE * size
             };
             let is_long = size > MIN_LONG_JUMP_IN_BASE_LENGTHS * MIN_LONG_JUMP_IN_BASE_LENGTHS * cuts.usual_way;
-            if is_long && cuts.jumps.len() < MAX_JUMPS && !cuts.jumps.iter().any(is_known) {
+            if is_long && cuts.jumps.len() < MAX_CHART_JUMPS && !cuts.jumps.iter().any(is_known) {
                 for sign in [1.0, -1.0] {
                     let there = alloc::collect((0..values.components).map(|c| sign * jump(c)))?;
                     alloc::push(&mut cuts.jumps, there)?;

@@ -55,7 +55,7 @@ impl MotionSystem {
 
     /// Returns the motions: for each piece a rotation, in units of its radius, and a translation; 0
     /// for fixed pieces. At most O(pieces * pairs), and usually far less.
-    pub(super) fn solve(&mut self) -> Result<Vec<MotionVector>> {
+    pub(super) fn solve_motions(&mut self) -> Result<Vec<MotionVector>> {
         for own in &mut self.own {
             let mean = (0..6).map(|i| own[i][i]).sum::<f64>() / 6.0;
             (0..6).for_each(|i| own[i][i] += RELATIVE_DAMPING * mean);
@@ -67,14 +67,14 @@ impl MotionSystem {
         let mut conditioned = self.apply_block_preconditioner(&residual)?;
         let mut direction = alloc::copied(&conditioned)?;
         let mut product = alloc::filled([0.0; 6], count)?;
-        let mut size = dot(&residual, &conditioned);
+        let mut size = dot_product(&residual, &conditioned);
         let enough = RELATIVE_RESIDUAL_TOLERANCE * RELATIVE_RESIDUAL_TOLERANCE * size;
         for _ in 0..MAX_ITERATIONS_PER_UNKNOWN * 6 * count {
             if size <= enough {
                 break;
             }
-            self.multiply(&direction, &mut product);
-            let curvature = dot(&direction, &product);
+            self.multiply_by_matrix(&direction, &mut product);
+            let curvature = dot_product(&direction, &product);
             if curvature.is_nan() || curvature <= 0.0 {
                 break;
             }
@@ -83,7 +83,7 @@ impl MotionSystem {
             add_scaled(&mut residual, -step, &product);
             conditioned = self.apply_block_preconditioner(&residual)?;
             let before = size;
-            size = dot(&residual, &conditioned);
+            size = dot_product(&residual, &conditioned);
             let turn = size / before;
             direction.iter_mut().zip(&conditioned).for_each(|(d, c)| (0..6).for_each(|i| d[i] = c[i] + turn * d[i]));
         }
@@ -94,7 +94,7 @@ impl MotionSystem {
         x.iter_mut().zip(&self.is_fixed).filter(|(_, fixed)| **fixed).for_each(|(x, _)| *x = [0.0; 6]);
     }
 
-    fn multiply(&self, x: &[MotionVector], out: &mut [MotionVector]) {
+    fn multiply_by_matrix(&self, x: &[MotionVector], out: &mut [MotionVector]) {
         for ((out, own), x) in out.iter_mut().zip(&self.own).zip(x) {
             *out = std::array::from_fn(|i| (0..6).map(|j| own[i][j] * x[j]).sum());
         }
@@ -123,7 +123,7 @@ impl MotionSystem {
     }
 }
 
-fn dot(a: &[MotionVector], b: &[MotionVector]) -> f64 {
+fn dot_product(a: &[MotionVector], b: &[MotionVector]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (0..6).map(|i| a[i] * b[i]).sum::<f64>()).sum()
 }
 

@@ -66,7 +66,7 @@ impl AlignmentScene<'_> {
             system.add_pair_equations(*pair, &report.equations)?;
         }
         let mut moved = 0.0f64;
-        for (k, [a, b, c, x, y, z]) in system.solve()?.into_iter().enumerate() {
+        for (k, [a, b, c, x, y, z]) in system.solve_motions()?.into_iter().enumerate() {
             let scan = self.members[k].scan;
             let (turn, shift) = (DVec3::new(a, b, c) / scan.radius, DVec3::new(x, y, z));
             if stays[k] || !turn.is_finite() || !shift.is_finite() {

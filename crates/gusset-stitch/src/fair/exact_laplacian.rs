@@ -54,18 +54,18 @@ impl ExactLaplacian {
         let mut next = 0;
         for v in 0..points.len() {
             for &(w, _) in rings.ring(v) {
-                columns[next].1 = all.entry(w as usize, v as u32);
+                columns[next].1 = all.row_entry(w as usize, v as u32);
                 next += 1;
             }
         }
         Ok(ExactLaplacian { rows, columns, middle })
     }
 
-    pub(super) fn rows<'a>(&'a self, rings: &'a OneRings) -> MatrixRows<'a> {
+    pub(super) fn matrix_rows<'a>(&'a self, rings: &'a OneRings) -> MatrixRows<'a> {
         MatrixRows::new(rings, &self.rows, &self.middle)
     }
 
-    pub(super) fn columns<'a>(&'a self, rings: &'a OneRings) -> MatrixRows<'a> {
+    pub(super) fn matrix_columns<'a>(&'a self, rings: &'a OneRings) -> MatrixRows<'a> {
         MatrixRows::new(rings, &self.columns, &self.middle)
     }
 }

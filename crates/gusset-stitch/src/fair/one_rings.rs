@@ -159,7 +159,7 @@ impl<'a> MatrixRows<'a> {
     }
 
     /// Returns the entry of a row in the column of a neighbour.
-    pub(super) fn entry(self, v: usize, w: u32) -> f64 {
+    pub(super) fn row_entry(self, v: usize, w: u32) -> f64 {
         let ring = &self.entries[self.start[v] as usize..self.start[v + 1] as usize];
         ring.binary_search_by_key(&w, |&(w, _)| w).map_or(0.0, |at| ring[at].1)
     }

@@ -138,9 +138,9 @@ fn assemble_plate_equations(
         Continuity::C1 => None,
         Continuity::C2 => Some(ExactLaplacian::new(points, plate.triangles, rings, &job.part(0.0, 0.3))?),
     };
-    let (rows, columns) = exact
-        .as_ref()
-        .map_or((rings.laplacian_rows(), rings.laplacian_rows()), |exact| (exact.rows(rings), exact.columns(rings)));
+    let (rows, columns) = exact.as_ref().map_or((rings.laplacian_rows(), rings.laplacian_rows()), |exact| {
+        (exact.matrix_rows(rings), exact.matrix_columns(rings))
+    });
     let bend = bend_derivatives(points, rings, rows, plate, unit)?;
     let mut place = alloc::filled(NONE, points.len())?;
     for (k, &v) in unknowns.iter().enumerate() {

@@ -20,7 +20,7 @@ struct TestPatch {
 
 impl TestPatch {
     /// Returns the free vertices, and their neighbours that are not on the patch's own border.
-    fn centres(&self) -> Vec<bool> {
+    fn free_vertices_and_neighbours(&self) -> Vec<bool> {
         let edges: BTreeSet<[u32; 2]> = self.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
         let mut centres = self.free.clone();
         for &[a, b] in edges.iter().filter(|&&[a, b]| self.free[a as usize] || self.free[b as usize]) {
@@ -35,7 +35,7 @@ impl TestPatch {
     }
 
     fn fair_with_own_centres(&mut self, weights: LaplacianWeights) {
-        self.fair_with_centres(&self.centres(), weights);
+        self.fair_with_centres(&self.free_vertices_and_neighbours(), weights);
     }
 
     fn fair_with_centres(&mut self, centres: &[bool], weights: LaplacianWeights) {
@@ -222,7 +222,7 @@ fn the_energy_is_least() {
     for (i, p) in patch.points.iter_mut().enumerate() {
         *p += DVec3::new(reproducible_noise(i), reproducible_noise(i + 1000), reproducible_noise(i + 2000)) * 0.2;
     }
-    let centres = patch.centres();
+    let centres = patch.free_vertices_and_neighbours();
     let mut neighbours = vec![BTreeSet::new(); patch.points.len()];
     for &[a, b, c] in &patch.triangles {
         for [u, v] in [[a, b], [b, c], [c, a]] {
@@ -337,23 +337,23 @@ fn degenerate_patches_do_no_harm() {
 /// plate stays below it.
 #[test]
 fn a_bent_plate_has_its_own_shape() {
-    const RADIUS: f64 = 1.2;
+    const BALL_RADIUS: f64 = 1.2;
     for size in [1e-3, 1.0, 1e3] {
         let mut patch = disk_patch(12);
         for p in &mut patch.points {
-            p.z = (RADIUS * RADIUS - p.x * p.x - p.y * p.y).sqrt();
+            p.z = (BALL_RADIUS * BALL_RADIUS - p.x * p.x - p.y * p.y).sqrt();
             *p *= size;
         }
         let ball = patch.points.clone();
         // Twice the mean curvature, towards the centre.
-        let curvature: Vec<DVec3> = ball.iter().map(|p| -2.0 * p / (RADIUS * size).powi(2)).collect();
+        let curvature: Vec<DVec3> = ball.iter().map(|p| -2.0 * p / (BALL_RADIUS * size).powi(2)).collect();
         let farthest = |patch: &TestPatch| {
-            patch.points.iter().map(|p| (p.length() / (RADIUS * size) - 1.0).abs()).fold(0.0, f64::max)
+            patch.points.iter().map(|p| (p.length() / (BALL_RADIUS * size) - 1.0).abs()).fold(0.0, f64::max)
         };
         for (v, p) in patch.points.iter_mut().enumerate().filter(|&(v, _)| patch.free[v]) {
             p.z += 0.02 * reproducible_noise(v) * size;
         }
-        let centres = patch.centres();
+        let centres = patch.free_vertices_and_neighbours();
         let mut flat = patch.clone();
         flat.fair_with_rest_curvature(&centres, LaplacianWeights::Cotangent, None);
         patch.fair_with_rest_curvature(&centres, LaplacianWeights::Cotangent, Some(&curvature));
@@ -433,7 +433,7 @@ fn laplacians_of_quadratic_functions_are_exact() {
         for (k, (f, expected)) in functions.iter().enumerate() {
             // In the plane of each vertex.
             let laplacian = |&v: &usize| {
-                let row = exact.rows(&rings).row(v);
+                let row = exact.matrix_rows(&rings).row(v);
                 row.map(|(w, weight)| weight * f(points[w] - points[v])).sum::<f64>() - expected
             };
             let square: f64 = inner.iter().map(laplacian).map(|error| error * error).sum();

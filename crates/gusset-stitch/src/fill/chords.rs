@@ -11,7 +11,7 @@ use gusset_base::sort::Buckets;
 /// chords (i, m) and (m, k) have smaller numbers than (i, k).
 pub(super) trait ChordSet {
     fn chord_count(&self) -> usize;
-    fn find(&self, i: usize, k: usize) -> Option<usize>;
+    fn find_chord_number(&self, i: usize, k: usize) -> Option<usize>;
     /// Calls `visit` for every chord, in the order of the numbers.
     fn try_each_chord(&self, visit: impl FnMut(usize, [usize; 2]) -> Result<()>) -> Result<()>;
     /// Calls `visit` for each m between i and k, ascending, for which (i, m) and (m, k) are chords.
@@ -31,7 +31,7 @@ impl ChordSet for AllChords {
         self.0 * (self.0 - 1) / 2
     }
 
-    fn find(&self, i: usize, k: usize) -> Option<usize> {
+    fn find_chord_number(&self, i: usize, k: usize) -> Option<usize> {
         Some(chord_number(i, k))
     }
 
@@ -106,7 +106,7 @@ impl ChordSet for ChordsNearTriangulation {
         self.first.len()
     }
 
-    fn find(&self, i: usize, k: usize) -> Option<usize> {
+    fn find_chord_number(&self, i: usize, k: usize) -> Option<usize> {
         let after = self.after.get(i);
         after.binary_search_by_key(&(k as u32), |&(k, _)| k).ok().map(|at| after[at].1 as usize)
     }

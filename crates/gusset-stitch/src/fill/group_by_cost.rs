@@ -81,7 +81,7 @@ struct GroupSearch<'a> {
 /// most 4 others. Each trial triangulates at most 16 loops together.
 pub(super) fn group_by_cost(
     mesh: &MeshView<'_>,
-    passes: &[u8],
+    loops_through_vertex: &[u8],
     candidates: &[CandidateLoop],
     groups: &[Vec<usize>],
     weight: Weight,
@@ -91,7 +91,7 @@ pub(super) fn group_by_cost(
     let around = |vertices: &&[u32]| Aabb::from_points(vertices.iter().map(|&v| mesh.positions().get(v)));
     let boxes = alloc::collect(loops.iter().map(around))?;
     let near = find_faces_near_boxes(mesh, &boxes, &job.part(0.0, 0.05))?;
-    let surroundings = OldFacesAtRims::new(mesh, passes, &near, Continuity::C1, &job.part(0.05, 0.1))?;
+    let surroundings = OldFacesAtRims::new(mesh, loops_through_vertex, &near, Continuity::C1, &job.part(0.05, 0.1))?;
     let partners = alloc::collect(loops.iter().map(|_| Vec::new()))?;
     let owner = alloc::collect(0..loops.len())?;
     // Each merge adds one group, and there are fewer merges than loops.

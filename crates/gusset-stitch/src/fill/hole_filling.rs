@@ -30,7 +30,7 @@ pub(super) struct HoleFilling<'a> {
     /// For each group, a box that contains its patch.
     rooms: Vec<Aabb>,
     /// For each mesh vertex, the number of loops that pass it.
-    passes: &'a [u8],
+    loops_through_vertex: &'a [u8],
     /// The faces near the holes, ascending.
     near: Vec<u32>,
     surroundings: OldFacesAtRims<'a>,
@@ -44,7 +44,7 @@ impl<'a> HoleFilling<'a> {
         mesh: &'a MeshView<'a>,
         candidates: &'a [CandidateLoop],
         groups: &'a [Vec<usize>],
-        passes: &'a [u8],
+        loops_through_vertex: &'a [u8],
         options: &'a Options,
         job: &Job<'_>,
     ) -> Result<Self> {
@@ -60,7 +60,8 @@ impl<'a> HoleFilling<'a> {
             alloc::push(&mut boxes, if bulges { patch_bounds(rim) } else { Aabb::from_points(rim) })?;
         }
         let near = find_faces_near_boxes(mesh, &boxes, &job.part(0.0, 0.9))?;
-        let surroundings = OldFacesAtRims::new(mesh, passes, &near, options.continuity, &job.part(0.9, 1.0))?;
+        let surroundings =
+            OldFacesAtRims::new(mesh, loops_through_vertex, &near, options.continuity, &job.part(0.9, 1.0))?;
         let made =
             FinishedPatches { vertices: MeshAndPatchVertices::new(mesh, &points), ..FinishedPatches::empty(mesh) };
         Ok(HoleFilling {
@@ -68,7 +69,7 @@ impl<'a> HoleFilling<'a> {
             candidates,
             groups,
             rooms: boxes,
-            passes,
+            loops_through_vertex,
             near,
             surroundings,
             bridges: HashSet::new(),
@@ -126,7 +127,7 @@ impl<'a> HoleFilling<'a> {
         drop(planner);
         alloc::insert_all(
             &mut self.bridges,
-            found.iter().flat_map(|placed| edges_between_shared_vertices(self.passes, placed)),
+            found.iter().flat_map(|placed| edges_between_shared_vertices(self.loops_through_vertex, placed)),
         )?;
         Ok(found)
     }
@@ -197,7 +198,7 @@ impl<'a> HoleFilling<'a> {
         drop(planner);
         alloc::insert_all(
             &mut self.bridges,
-            better.iter().flat_map(|placed| edges_between_shared_vertices(self.passes, placed)),
+            better.iter().flat_map(|placed| edges_between_shared_vertices(self.loops_through_vertex, placed)),
         )?;
         if let Some(placed) = better {
             self.made.patches[k] = placed;
@@ -212,8 +213,8 @@ fn is_taken_edge(surroundings: &OldFacesAtRims<'_>, bridges: &HashSet<(u32, u32)
 }
 
 /// Returns the edges of a patch between two old vertices that several loops pass.
-fn edges_between_shared_vertices(passes: &[u8], patch: &PlacedPatch) -> impl Iterator<Item = (u32, u32)> {
-    let shared = |v: u32| passes.get(v as usize).is_some_and(|&count| count > 1);
+fn edges_between_shared_vertices(loops_through_vertex: &[u8], patch: &PlacedPatch) -> impl Iterator<Item = (u32, u32)> {
+    let shared = |v: u32| loops_through_vertex.get(v as usize).is_some_and(|&count| count > 1);
     let sides = patch.triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
     sides.filter(move |&(u, v)| shared(u) && shared(v)).map(|(u, v)| (u.min(v), u.max(v)))
 }

@@ -71,15 +71,19 @@ pub fn fill_holes(mesh: &MeshView<'_>, selection: Selection<'_>, options: &Optio
     if options.plan_only {
         return build_result(FinishedPatches::empty(mesh), &candidates, options, &job.part(0.2, 1.0));
     }
-    let mut passes = alloc::filled(0u8, mesh.positions().len())?;
+    let mut loops_through_vertex = alloc::filled(0u8, mesh.positions().len())?;
     for found in boundary.iter() {
-        found.vertices.iter().for_each(|&v| passes[v as usize] = passes[v as usize].saturating_add(1));
+        found
+            .vertices
+            .iter()
+            .for_each(|&v| loops_through_vertex[v as usize] = loops_through_vertex[v as usize].saturating_add(1));
     }
     let mut groups = group_candidates_by_patch(&candidates, selection, options.together)?;
     if options.together == Together::Cheapest && !matches!(selection, Selection::Groups(_)) {
-        groups = group_by_cost(mesh, &passes, &candidates, &groups, options.weight, &job.part(0.2, 0.4))?;
+        groups = group_by_cost(mesh, &loops_through_vertex, &candidates, &groups, options.weight, &job.part(0.2, 0.4))?;
     }
-    let mut filling = HoleFilling::new(mesh, &candidates, &groups, &passes, options, &job.part(0.4, 0.45))?;
+    let mut filling =
+        HoleFilling::new(mesh, &candidates, &groups, &loops_through_vertex, options, &job.part(0.4, 0.45))?;
     filling.build_patches(&job.part(0.45, 0.8))?;
     build_result(filling.made, &candidates, options, &job.part(0.8, 1.0))
 }

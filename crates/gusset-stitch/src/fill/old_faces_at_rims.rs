@@ -14,7 +14,7 @@ use gusset_mesh::{MeshView, NONE};
 pub(super) struct OldFacesAtRims<'a> {
     mesh: &'a MeshView<'a>,
     /// For each mesh vertex, the number of loops and chains that pass it.
-    passes: &'a [u8],
+    loops_through_vertex: &'a [u8],
     /// Sorted pairs (rim vertex, face).
     corners: Vec<(u32, u32)>,
     /// Sorted pairs (vertex of a face that touches a rim, face that does not); empty for tangent
@@ -37,7 +37,7 @@ impl<'a> OldFacesAtRims<'a> {
     /// next ring.
     pub(super) fn new(
         mesh: &'a MeshView<'a>,
-        passes: &'a [u8],
+        loops_through_vertex: &'a [u8],
         near: &[u32],
         continuity: Continuity,
         job: &Job<'_>,
@@ -45,16 +45,22 @@ impl<'a> OldFacesAtRims<'a> {
         let mut corners = Vec::new();
         for (k, &f) in near.iter().enumerate() {
             job.step_every(MAX_FACES_PER_REPORT, k, near.len(), STAGE)?;
-            for v in mesh.face(f as usize).filter(|&v| passes[v as usize] > 0) {
+            for v in mesh.face(f as usize).filter(|&v| loops_through_vertex[v as usize] > 0) {
                 alloc::push(&mut corners, (v, f))?;
             }
         }
         sort_distinct(&mut corners);
         let beyond = match continuity {
             Continuity::C1 => Vec::new(),
-            Continuity::C2 => second_ring_corners(mesh, passes, &corners, job)?,
+            Continuity::C2 => second_ring_corners(mesh, loops_through_vertex, &corners, job)?,
         };
-        Ok(OldFacesAtRims { mesh, passes, corners, beyond, names: alloc::filled(NONE, mesh.positions().len())? })
+        Ok(OldFacesAtRims {
+            mesh,
+            loops_through_vertex,
+            corners,
+            beyond,
+            names: alloc::filled(NONE, mesh.positions().len())?,
+        })
     }
 
     fn corners_at_rim_vertex(&self, v: u32) -> &[(u32, u32)] {
@@ -132,7 +138,7 @@ impl<'a> OldFacesAtRims<'a> {
             alloc::extend(&mut beyond, own[1..].windows(2).map(|pair| [own[0], pair[0], pair[1]]))?;
         }
         let points = alloc::collect_cancellable(names.iter().map(|&v| mesh.positions().get(v)), &job, STAGE)?;
-        let whole = alloc::collect(rim.iter().map(|&v| self.passes[v as usize] == 1))?;
+        let whole = alloc::collect(rim.iter().map(|&v| self.loops_through_vertex[v as usize] == 1))?;
         names.iter().for_each(|&v| self.names[v as usize] = NONE);
         Ok(Some((PatchRim::new(&points, lengths, OldFaces { around, beyond, sides }, across, whole)?, rim)))
     }
@@ -152,7 +158,7 @@ fn corners_at_vertex(corners: &[(u32, u32)], v: u32) -> &[(u32, u32)] {
 /// Returns the corners of faces that touch no rim, at vertices of faces that touch one.
 fn second_ring_corners(
     mesh: &MeshView<'_>,
-    passes: &[u8],
+    loops_through_vertex: &[u8],
     corners: &[(u32, u32)],
     job: &Job<'_>,
 ) -> Result<Vec<(u32, u32)>> {
@@ -163,7 +169,7 @@ fn second_ring_corners(
     let mut corners_beyond = Vec::new();
     for f in 0..mesh.faces().len() {
         job.step_every(MAX_FACES_PER_REPORT, f, mesh.faces().len(), STAGE)?;
-        if mesh.face(f).all(|v| passes[v as usize] == 0) {
+        if mesh.face(f).all(|v| loops_through_vertex[v as usize] == 0) {
             alloc::extend(&mut corners_beyond, mesh.face(f).filter(|&v| is_next[v as usize]).map(|v| (v, f as u32)))?;
         }
     }

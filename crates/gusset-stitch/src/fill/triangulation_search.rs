@@ -144,14 +144,15 @@ pub(super) fn best_triangulation(
         }
         Ok(())
     })?;
-    let Some(root) = chords.find(0, n - 1).map(|root| cells[root]).filter(|root| root.apex != NO_APEX) else {
+    let Some(root) = chords.find_chord_number(0, n - 1).map(|root| cells[root]).filter(|root| root.apex != NO_APEX)
+    else {
         return Ok(None);
     };
     let mut triangles = alloc::with_capacity(n - 2)?;
     let mut open = alloc::with_capacity(n)?;
     open.push((0, n - 1));
     while let Some((i, k)) = open.pop() {
-        if let (true, Some(number)) = (k - i > 1, chords.find(i, k)) {
+        if let (true, Some(number)) = (k - i > 1, chords.find_chord_number(i, k)) {
             let m = cells[number].apex;
             triangles.push([i as u32, m, k as u32]);
             open.extend([(m as usize, k), (i, m as usize)]);

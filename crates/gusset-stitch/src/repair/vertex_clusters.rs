@@ -43,7 +43,7 @@ impl VertexClusters {
     ///
     /// `reach` has a length, at least 0, for each member; it is empty for equal positions. With
     /// `corners`, no cluster has two corners of one face.
-    pub(super) fn find(
+    pub(super) fn cluster_members(
         mesh: &MeshView<'_>,
         members: &[u32],
         reach: &[f64],

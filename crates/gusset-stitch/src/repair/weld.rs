@@ -116,10 +116,11 @@ pub(super) fn weld_within(
     let sewing = options.vertices == Vertices::Boundary;
     job.step(0.2, STAGE)?;
     let members = weldable_vertices(mesh, &topology, sewing)?;
-    let tolerance = WeldTolerance::find(mesh, &members, source, &job.part(0.2, 0.3))?;
+    let tolerance = WeldTolerance::find_for_members(mesh, &members, source, &job.part(0.2, 0.3))?;
     job.step(0.3, STAGE)?;
     let corners = if sewing || options.collapse { None } else { Some(VertexCorners::new(mesh, &job.part(0.3, 0.3))?) };
-    let mut clusters = VertexClusters::find(mesh, &members, &tolerance.reach, corners.as_ref(), &job.part(0.3, 0.6))?;
+    let mut clusters =
+        VertexClusters::cluster_members(mesh, &members, &tolerance.reach, corners.as_ref(), &job.part(0.3, 0.6))?;
     let representative = match sewing {
         true => sew_coincident_edges(mesh, &topology, &clusters.representative, options.collapse, &job.part(0.6, 0.9))?,
         false => alloc::copied(&clusters.representative)?,

@@ -50,7 +50,7 @@ const OUTLIER_SHARE_DIVISOR: usize = 64;
 const DECADE_COUNT: usize = 8;
 
 /// Number of steps that are distinguished.
-const STEP_COUNT: usize = 16;
+const DECIMAL_STEP_COUNT: usize = 16;
 
 /// Number of vertices, or faces, between two progress reports.
 const ELEMENTS_PER_REPORT: usize = 1 << 16;
@@ -78,7 +78,12 @@ pub(super) struct WeldTolerance {
 
 impl WeldTolerance {
     /// Finds the tolerance for `members`, which have finite positions.
-    pub(super) fn find(mesh: &MeshView<'_>, members: &[u32], source: ToleranceSource, job: &Job<'_>) -> Result<Self> {
+    pub(super) fn find_for_members(
+        mesh: &MeshView<'_>,
+        members: &[u32],
+        source: ToleranceSource,
+        job: &Job<'_>,
+    ) -> Result<Self> {
         let length = match source {
             ToleranceSource::Data => coordinate_round_off(mesh, members, &job.part(0.0, 0.5))?,
             ToleranceSource::Earlier(length) | ToleranceSource::Given(length) => length,
@@ -165,7 +170,7 @@ impl DecimalSteps {
     /// Classifies `x`, which was computed from coordinates of magnitude `size`.
     fn classify_digits(&self, x: f64, size: f64) -> ShownDigits {
         let error = self.error * size;
-        for k in 0..=STEP_COUNT {
+        for k in 0..=DECIMAL_STEP_COUNT {
             let exponent = self.first + 1 - k as i32;
             let power = 10f64.powi(exponent.abs());
             let [x, error] = [x, error].map(|x| if exponent < 0 { x * power } else { x / power });
@@ -184,7 +189,7 @@ impl DecimalSteps {
 /// The number of coordinates of each class.
 #[derive(Default)]
 struct DigitHistogram {
-    steps: [usize; STEP_COUNT],
+    steps: [usize; DECIMAL_STEP_COUNT],
     others: usize,
 }
 

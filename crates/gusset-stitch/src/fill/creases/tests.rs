@@ -6,7 +6,7 @@ use glam::DVec3;
 use gusset_base::testing::cases;
 
 const GRID_CELLS: u32 = 9;
-const HOLE_RANGE: std::ops::RangeInclusive<u32> = 2..=6;
+const HOLE_CELL_RANGE: std::ops::RangeInclusive<u32> = 2..=6;
 
 fn rim_of_height_field(mut height: impl FnMut(f64, f64) -> f64) -> PatchRim {
     let side = GRID_CELLS + 1;
@@ -19,7 +19,7 @@ fn rim_of_height_field(mut height: impl FnMut(f64, f64) -> f64) -> PatchRim {
     order.extend(others);
     let number = |at: (u32, u32)| order.iter().position(|&other| other == at).unwrap() as u32;
     let cells = (0..GRID_CELLS * GRID_CELLS).map(|k| (k % GRID_CELLS, k / GRID_CELLS));
-    let kept = cells.filter(|(x, y)| !(HOLE_RANGE.contains(x) && HOLE_RANGE.contains(y)));
+    let kept = cells.filter(|(x, y)| !(HOLE_CELL_RANGE.contains(x) && HOLE_CELL_RANGE.contains(y)));
     let around: Vec<[u32; 3]> = kept
         .flat_map(|(x, y)| {
             let [a, b, c, d] = [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)].map(number);

@@ -91,7 +91,7 @@ impl ClosingTask<'_> {
         mut repeats: RepeatedEdgeTreatment<'_>,
         job: &Job<'_>,
     ) -> Result<Option<OpenedLoopsTriangulation>> {
-        let polygon = opened.polygon(self.rims)?;
+        let polygon = opened.build_polygon(self.rims)?;
         let scale = CostEvaluator::for_opened_loops(&polygon, self.weight, self.measure, &opened.bridges);
         let tree = opened.bridge_tree()?;
         let mut is_copied = alloc::filled(false, self.rims.vertex_count())?;

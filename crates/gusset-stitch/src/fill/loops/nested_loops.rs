@@ -56,7 +56,7 @@ pub(super) fn triangulate_nested_loops(
     let Some(opened) = join_nested_loops(task, &flat, outer, &job.part(0.0, 0.3))? else {
         return Ok(None);
     };
-    let points = opened.polygon(rims)?.points;
+    let points = opened.build_polygon(rims)?.points;
     let tree = opened.bridge_tree()?;
     let taken = |i: u32, k: u32| {
         let [u, v] = [i, k].map(|place| opened.order[place as usize]);

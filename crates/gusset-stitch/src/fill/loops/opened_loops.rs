@@ -48,7 +48,7 @@ impl OpenedLoops {
         self.order.len()
     }
 
-    pub(super) fn polygon(&self, rims: &NumberedRims) -> Result<Polygon> {
+    pub(super) fn build_polygon(&self, rims: &NumberedRims) -> Result<Polygon> {
         let at = |of: &[DVec3]| alloc::collect(self.order.iter().map(|&v| of[v as usize]));
         // The surface across a bridge is not known yet.
         let across = self.order.iter().zip(&self.bridges);

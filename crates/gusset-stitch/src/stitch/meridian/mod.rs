@@ -120,7 +120,7 @@ pub(crate) fn choose_meridians(
     job.step(0.0, STAGE)?;
     let paper = meridians_by_index_rule(a.len() as u32 - 1, b.len() as u32 - 1)?;
     job.step(0.0, STAGE)?;
-    let area = StepMetric::area(a, b, &paper);
+    let area = StepMetric::area_with_tie_break(a, b, &paper);
     let chosen =
         |metric: StepMetric, pairs: Vec<MeridianEnds>| MeridianChoice { cost: metric.path_cost(a, b, &pairs), pairs };
     let simple = match choice {
@@ -154,7 +154,7 @@ pub(crate) fn choose_meridians_near_path(
     let paper = meridians_by_index_rule(n as u32, m as u32)?;
     let band = LatticeBand::around_path(path, n, m, NEAR_PATH_HALF_BAND_NODES)?;
     let metric = match choice {
-        Meridians::MinArea => StepMetric::area(rims.a, rims.b, &paper),
+        Meridians::MinArea => StepMetric::area_with_tie_break(rims.a, rims.b, &paper),
         Meridians::MinDiagonal => StepMetric::Diagonal,
         _ => return best_continuation_in_band(rims, &paper, &band, None, job),
     };
@@ -226,7 +226,8 @@ fn meridians_of_best_continuation(
     search: MeridianSearch,
     job: &Job<'_>,
 ) -> Result<Option<MeridianChoice>> {
-    let guide = cheapest_meridians(rims, StepMetric::area(rims.a, rims.b, paper), search, &job.part(0.0, 0.5))?;
+    let guide =
+        cheapest_meridians(rims, StepMetric::area_with_tie_break(rims.a, rims.b, paper), search, &job.part(0.0, 0.5))?;
     match guide {
         Some(guide) if rims.has_faces_along_rims() => {
             let first = (search != MeridianSearch::Exact).then_some(guide.pairs[1]);

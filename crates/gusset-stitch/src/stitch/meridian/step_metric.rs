@@ -88,7 +88,7 @@ impl StepMetric {
     /// Creates the area metric with a tie break. In the plane all strips without folds have equal
     /// area, and round-off would decide. On the paper's strip the squared lengths contribute 2^-32
     /// of the area.
-    pub(super) fn area(a: &[DVec3], b: &[DVec3], paper: &[MeridianEnds]) -> Self {
+    pub(super) fn area_with_tie_break(a: &[DVec3], b: &[DVec3], paper: &[MeridianEnds]) -> Self {
         let area = strip_area(a, b, paper);
         let squared: f64 = paper.iter().map(|&[i, j]| a[i as usize].distance_squared(b[j as usize])).sum();
         StepMetric::Area {

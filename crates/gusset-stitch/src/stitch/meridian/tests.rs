@@ -407,7 +407,7 @@ fn coarse_search_excess(a: &[DVec3], b: &[DVec3], forbidden: &[MeridianEnds]) ->
     let rims = RimPair { a, b, closed: true, forbidden, sides: None, penalties: &[] };
     let paper = meridians_by_index_rule(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
     let mut most = 0.0f64;
-    for metric in [StepMetric::area(a, b, &paper), StepMetric::Diagonal, StepMetric::Quad] {
+    for metric in [StepMetric::area_with_tie_break(a, b, &paper), StepMetric::Diagonal, StepMetric::Quad] {
         let job = Job::default();
         let find = |rims: &RimPair<'_>, band: &LatticeBand, job: &Job<'_>| {
             lattice_path::cheapest_path(rims, metric, band, job)
