@@ -12,7 +12,7 @@ const STAGE: &str = "checking values";
 /// Number of elements that a thread checks in one task.
 const ELEMENTS_PER_TASK: usize = 1 << 14;
 /// Largest number of components.
-pub(crate) const MAX_COMPONENTS: u32 = 1 << 12;
+pub(crate) const MAX_CHANNEL_COMPONENTS: u32 = 1 << 12;
 
 /// How the values of several sources become one value. An element with one source has its value,
 /// bit for bit.
@@ -55,7 +55,7 @@ impl<'a> Channel<'a> {
     /// [`Error::OptionOutOfRange`] if `components` is 0 or above 4096, or if [`Rule::Normal`] is
     /// used with an unsigned type or a number of components other than three.
     pub fn new(domain: Domain, value_type: ValueType, components: u32, rule: Rule) -> Result<Channel<'a>> {
-        Error::require((1..=MAX_COMPONENTS).contains(&components), "components", components.into())?;
+        Error::require((1..=MAX_CHANNEL_COMPONENTS).contains(&components), "components", components.into())?;
         if rule == Rule::Normal {
             Error::require(components == 3, "components", components.into())?;
             Error::require(value_type.largest_value().is_none(), "value_type", 0.0)?;

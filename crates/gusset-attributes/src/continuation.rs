@@ -22,7 +22,7 @@
 //! affine map at (x, -y). This gives affine weights of the three corners of the old face, which are
 //! equal for all channels.
 
-use super::rims::{RimEdges, RimEnd};
+use super::rims::{RimEdgeEnd, RimEdges};
 use super::table::{FACES_PER_REPORT, STAGE, Table};
 use super::values::Output;
 use glam::DVec3;
@@ -88,7 +88,7 @@ pub(super) struct ChartContinuation {
     /// For each new corner, the old vertices whose values are interpolated.
     shares: Table,
     /// Both ends of the rim edges, sorted by vertex.
-    ends: Vec<RimEnd>,
+    ends: Vec<RimEdgeEnd>,
 }
 
 impl ChartContinuation {
@@ -202,10 +202,10 @@ impl ChartContinuation {
     fn nearest_rim_end<'a>(
         &self,
         values: &Output<'_>,
-        ends: &'a [RimEnd],
+        ends: &'a [RimEdgeEnd],
         (corner, base): (u32, u32),
         cuts: &'a ChartCuts,
-    ) -> (&'a RimEnd, Option<&'a [f64]>) {
+    ) -> (&'a RimEdgeEnd, Option<&'a [f64]>) {
         let mut best = (f64::INFINITY, &ends[0], None);
         for end in ends {
             for jump in std::iter::once(None).chain(cuts.jumps.iter().map(|jump| Some(&jump[..]))) {
@@ -260,7 +260,7 @@ impl ChartContinuation {
         Ok(if ways.is_empty() { 0.0 } else { *ways.select_nth_unstable_by(middle, f64::total_cmp).1 })
     }
 
-    fn rim_ends_at(&self, vertex: u32) -> &[RimEnd] {
+    fn rim_ends_at(&self, vertex: u32) -> &[RimEdgeEnd] {
         let start = self.ends.partition_point(|end| end.vertex < vertex);
         let count = self.ends[start..].partition_point(|end| end.vertex == vertex);
         &self.ends[start..start + count]

@@ -24,8 +24,8 @@ impl Origins {
     /// The errors of [`Origins::from_stitch`].
     pub fn from_net_mesh(net: &NetMesh, job: &Job<'_>) -> Result<Origins> {
         let (mesh, columns) = (&net.mesh, net.columns);
-        let vertices = Table::from_single(net.node_of_vertex.iter().copied(), &job.part(0.0, 0.2))?;
-        let faces = Table::from_single(net.cell_of_face.iter().copied(), &job.part(0.2, 0.4))?;
+        let vertices = Table::from_single_sources(net.node_of_vertex.iter().copied(), &job.part(0.0, 0.2))?;
+        let faces = Table::from_single_sources(net.cell_of_face.iter().copied(), &job.part(0.2, 0.4))?;
         let mut corners = Table::with_capacity(mesh.face_corners.len(), mesh.face_corners.len())?;
         for (f, (&cell, face)) in net.cell_of_face.iter().zip(mesh.faces()).enumerate() {
             job.part(0.4, 1.0).step_within(f, STAGE)?;
@@ -64,7 +64,7 @@ impl Origins {
         let face_at = |cell: [usize; 2]| grid.face_of_cell[wide(cell, shape.columns() - 1)];
         let split = |k: u32, columns: usize| [k as usize / columns, k as usize % columns];
         let sources = made.node_of_vertex.iter().map(|&node| vertex_at(split(node, made.columns)));
-        let vertices = Table::from_single(sources, &job.part(0.0, 0.2))?;
+        let vertices = Table::from_single_sources(sources, &job.part(0.0, 0.2))?;
         let count = made.mesh.face_count();
         let mut corners = Table::with_capacity(made.mesh.face_corners.len(), made.mesh.face_corners.len())?;
         let mut of_faces = Table::with_capacity(count, count)?;

@@ -92,8 +92,8 @@ impl Origins {
         Origins::from_kept(KeptElements {
             inputs,
             vertices: Table::from_map(count, map, &job.part(0.0, 0.3))?,
-            corners: Table::from_single(remains.corners.iter().copied(), &job.part(0.3, 0.8))?,
-            faces: Table::from_single(remains.faces.iter().copied(), &job.part(0.8, 1.0))?,
+            corners: Table::from_single_sources(remains.corners.iter().copied(), &job.part(0.3, 0.8))?,
+            faces: Table::from_single_sources(remains.faces.iter().copied(), &job.part(0.8, 1.0))?,
         })
     }
 }
@@ -138,8 +138,8 @@ impl RepairedMesh<'_> {
         }
         let faces = self.faces as u32;
         let faces = match face_origin {
-            Some(origin) => Table::from_single(origin.iter().copied(), &job.part(0.8, 1.0))?,
-            None => Table::from_single(0..faces, &job.part(0.8, 1.0))?,
+            Some(origin) => Table::from_single_sources(origin.iter().copied(), &job.part(0.8, 1.0))?,
+            None => Table::from_single_sources(0..faces, &job.part(0.8, 1.0))?,
         };
         Ok(KeptElements { inputs, vertices, corners, faces })
     }

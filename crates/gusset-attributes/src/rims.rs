@@ -14,7 +14,7 @@ use gusset_mesh::{Mesh, NONE};
 
 /// An end of a rim edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct RimEnd {
+pub(super) struct RimEdgeEnd {
     pub(super) vertex: u32,
     pub(super) edge: u32,
     /// The corner of the old face at this end.
@@ -28,7 +28,7 @@ pub(super) struct RimEdges {
     /// The base of each new face; [`NONE`] if the face is not connected to an old one.
     pub(super) bases: Vec<u32>,
     /// Both ends of all edges, sorted by vertex and edge.
-    pub(super) ends: Vec<RimEnd>,
+    pub(super) ends: Vec<RimEdgeEnd>,
     /// For each old vertex of a new face that is not on a rim edge: the vertex, and a corner of an
     /// old face there. Sorted by vertex.
     loose: Vec<(u32, u32)>,
@@ -90,7 +90,7 @@ impl RimEdges {
             edges.iter().zip(0..).flat_map(|(corners, edge)| corners.map(|corner| (at(corner), edge, corner))),
         )?;
         sort(&mut ends, Ord::cmp, &job.part(0.8, 0.9), STAGE)?;
-        let ends = alloc::collect(ends.into_iter().map(|(vertex, edge, corner)| RimEnd { vertex, edge, corner }))?;
+        let ends = alloc::collect(ends.into_iter().map(|(vertex, edge, corner)| RimEdgeEnd { vertex, edge, corner }))?;
         let mut rims = RimEdges { edges, bases, ends, loose: Vec::new() };
         rims.find_corners_off_rims(mesh, &new, &job.part(0.9, 1.0))?;
         Ok(rims)
@@ -120,7 +120,7 @@ impl RimEdges {
         Ok(())
     }
 
-    fn first_rim_end_at(&self, v: u32) -> Option<&RimEnd> {
+    fn first_rim_end_at(&self, v: u32) -> Option<&RimEdgeEnd> {
         self.ends.get(self.ends.partition_point(|end| end.vertex < v)).filter(|end| end.vertex == v)
     }
 

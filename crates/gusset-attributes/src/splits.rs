@@ -35,7 +35,7 @@ pub trait KeepSplits {
 
 impl KeepSplits for Stitch {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = SplitInputs::from_inputs(inputs) else { return Ok(()) };
+        let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let origins = Origins::from_stitch(self, &job.part(0.0, 0.6))?;
         let [a, b] = &self.maps;
         let map = |input: usize, v: u32| if input == 0 { a.vertices[v as usize] } else { b.vertices[v as usize] };
@@ -45,7 +45,7 @@ impl KeepSplits for Stitch {
 
 impl KeepSplits for Filled {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = SplitInputs::from_inputs(inputs) else { return Ok(()) };
+        let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let origins = Origins::from_filled(self, &job.part(0.0, 0.6))?;
         splits.restore_split_vertices(&mut self.mesh, &origins, |_, v| v, &job.part(0.6, 1.0))
     }
@@ -53,7 +53,7 @@ impl KeepSplits for Filled {
 
 impl KeepSplits for Assembly {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = SplitInputs::from_inputs(inputs) else { return Ok(()) };
+        let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let origins = Origins::from_assembly(self, &job.part(0.0, 0.6))?;
         let maps = &self.maps;
         let map = |input: usize, v: u32| maps[input].vertices[v as usize];
@@ -63,7 +63,7 @@ impl KeepSplits for Assembly {
 
 impl KeepSplits for Weld {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = SplitInputs::from_inputs(inputs) else { return Ok(()) };
+        let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let origins = Origins::from_weld(self, &job.part(0.0, 0.6))?;
         let map = |_, v: u32| self.vertex_map[v as usize];
         splits.restore_split_vertices(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
@@ -72,7 +72,7 @@ impl KeepSplits for Weld {
 
 impl KeepSplits for Sew {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = SplitInputs::from_inputs(inputs) else { return Ok(()) };
+        let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let origins = Origins::from_sew(self, &job.part(0.0, 0.6))?;
         let map = |_, v: u32| self.vertex_map[v as usize];
         splits.restore_split_vertices(&mut self.mesh, &origins, map, &job.part(0.6, 1.0))
@@ -81,7 +81,7 @@ impl KeepSplits for Sew {
 
 impl KeepSplits for Oriented {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = SplitInputs::from_inputs(inputs) else { return Ok(()) };
+        let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let origins = Origins::from_oriented(self, &job.part(0.0, 0.6))?;
         splits.restore_split_vertices(&mut self.mesh, &origins, |_, v| v, &job.part(0.6, 1.0))
     }
@@ -90,7 +90,7 @@ impl KeepSplits for Oriented {
 /// The inputs side by side, and the position of each.
 impl KeepSplits for (Mesh, Vec<Piece>) {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = SplitInputs::from_inputs(inputs) else { return Ok(()) };
+        let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let views = alloc::collect(inputs.iter().map(|&view| *view))?;
         let origins = Origins::from_side_by_side(&views, &job.part(0.0, 0.6))?;
         let (mesh, places) = self;
@@ -100,7 +100,7 @@ impl KeepSplits for (Mesh, Vec<Piece>) {
 
 impl KeepSplits for Remains {
     fn keep_splits(&mut self, inputs: &[&MeshView<'_>], job: &Job<'_>) -> Result<()> {
-        let Some(splits) = SplitInputs::from_inputs(inputs) else { return Ok(()) };
+        let Some(splits) = InputsWithSplitVertices::from_inputs(inputs) else { return Ok(()) };
         let views = alloc::collect(inputs.iter().map(|&view| *view))?;
         let origins = Origins::from_remains(&views, self, &job.part(0.0, 0.6))?;
         let (map, places) = (&self.vertex_map, &self.places);
@@ -110,12 +110,12 @@ impl KeepSplits for Remains {
 }
 
 /// The inputs of a result, some of which have split vertices.
-struct SplitInputs<'a>(&'a [&'a MeshView<'a>]);
+struct InputsWithSplitVertices<'a>(&'a [&'a MeshView<'a>]);
 
-impl<'a> SplitInputs<'a> {
+impl<'a> InputsWithSplitVertices<'a> {
     /// Returns `None` unless an input has split vertices.
     fn from_inputs(inputs: &'a [&'a MeshView<'a>]) -> Option<Self> {
-        inputs.iter().any(|mesh| mesh.faces().is_merged()).then_some(SplitInputs(inputs))
+        inputs.iter().any(|mesh| mesh.faces().is_merged()).then_some(InputsWithSplitVertices(inputs))
     }
 
     /// Restores split vertices. `map` returns the vertex of the result that a vertex of an input

@@ -32,7 +32,7 @@ impl Table {
     }
 
     /// Creates rows with one source each, or without sources for [`NONE`].
-    pub(crate) fn from_single(sources: impl ExactSizeIterator<Item = u32>, job: &Job<'_>) -> Result<Table> {
+    pub(crate) fn from_single_sources(sources: impl ExactSizeIterator<Item = u32>, job: &Job<'_>) -> Result<Table> {
         let mut table = Table::with_capacity(sources.len(), sources.len())?;
         let (mut sources, count) = (sources, table.offsets.capacity() - 1);
         job.ranges(STAGE, count, |range| {

@@ -4,7 +4,7 @@ use super::assemble_request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcom
 use super::candidates::FacingLoops;
 use super::combined_pieces::CombinedPieces;
 use super::face_removals::FaceRemovals;
-use super::given_pair::GivenPair;
+use super::given_pair::GivenLoopPair;
 use super::piece_loops::PieceLoops;
 use crate::stitch::combine::append_strip;
 use crate::stitch::fair_and_check::fair_and_check;
@@ -278,7 +278,7 @@ fn list_excluded_loop_pairs(base: &CombinedPieces, loops: &PieceLoops, options: 
     let places = loops.vertex_loop_pairs()?;
     let mut excluded = Vec::new();
     for (k, pair) in options.excluded.iter().enumerate() {
-        GivenPair { option: "excluded", number: k as u32, pair }
+        GivenLoopPair { option: "excluded", number: k as u32, pair }
             .check_pieces_and_vertices_exist(&base.assembly.maps)?;
         let (first, second) =
             (loops.select_loops(base, &places, pair[0])?, loops.select_loops(base, &places, pair[1])?);
@@ -301,7 +301,7 @@ fn choose_loop_pairs(
     let mut taken = alloc::filled(false, loops.rims.len())?;
     let mut found: Vec<FacingLoops> = Vec::new();
     for (k, pair) in options.pairs.iter().enumerate() {
-        let given = GivenPair { option: "pairs", number: k as u32, pair };
+        let given = GivenLoopPair { option: "pairs", number: k as u32, pair };
         given.check_pieces_and_vertices_exist(&base.assembly.maps)?;
         let rims = given.find_named_rims(
             |selector| loops.select_loops(base, &places, selector),

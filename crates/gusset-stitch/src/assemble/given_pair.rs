@@ -6,14 +6,14 @@ use gusset_base::error::{Error, PairFault, Result, Side};
 use gusset_mesh::NONE;
 
 /// One of the pairs of an option.
-pub(super) struct GivenPair<'a> {
+pub(super) struct GivenLoopPair<'a> {
     pub(super) option: &'static str,
     /// The index of the pair in the option.
     pub(super) number: u32,
     pub(super) pair: &'a [Selector; 2],
 }
 
-impl GivenPair<'_> {
+impl GivenLoopPair<'_> {
     fn pair_error(&self, k: usize, fault: PairFault) -> Error {
         let (Selector { piece, vertex }, side) = (self.pair[k], [Side::A, Side::B][k]);
         Error::BadLoopPair { option: self.option, pair: self.number, side, piece, vertex, fault }

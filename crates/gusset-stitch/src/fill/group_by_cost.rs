@@ -150,13 +150,13 @@ impl GroupSearch<'_> {
             self.groups.push(Some(LoopGroup { loops: alone, triangles }));
         }
         for k in 0..count {
-            alloc::append(&mut near, &self.pairs_to_try(k)?)?;
+            alloc::append(&mut near, &self.group_pairs_to_try(k)?)?;
         }
         // Spend the trials on the nearest pairs first.
         near.sort_unstable_by(compare_by_distance_then_index);
         near.dedup();
         let mut pairs = Vec::new();
-        self.try_pairs(&near, &mut pairs, &job.part(0.2, 0.6))?;
+        self.try_group_pairs(&near, &mut pairs, &job.part(0.2, 0.6))?;
         while let Some(GroupPair { groups, triangles, .. }) = remove_best_pair(&mut pairs) {
             let [Some(one), Some(other)] = groups.map(|group| self.groups[group].take()) else {
                 break;
@@ -166,7 +166,11 @@ impl GroupSearch<'_> {
             loops.iter().for_each(|&k| self.owner[k] = new);
             self.groups.push(Some(LoopGroup { loops, triangles: Some(triangles) }));
             pairs.retain(|pair| pair.groups.iter().all(|&group| self.groups[group].is_some()));
-            self.try_pairs(&self.pairs_to_try(new)?, &mut pairs, &job.part(0.6, 1.0).share(new - count, count))?;
+            self.try_group_pairs(
+                &self.group_pairs_to_try(new)?,
+                &mut pairs,
+                &job.part(0.6, 1.0).share(new - count, count),
+            )?;
         }
         Ok(())
     }
@@ -176,7 +180,7 @@ impl GroupSearch<'_> {
     }
 
     /// Returns the pairs of a group with its partner groups, nearest first.
-    fn pairs_to_try(&self, group: usize) -> Result<Vec<NearbyPair>> {
+    fn group_pairs_to_try(&self, group: usize) -> Result<Vec<NearbyPair>> {
         let own = self.loops_of_group(group);
         let mut neighbours = Vec::new();
         for &(k, distance) in own.iter().flat_map(|&k| &self.partners[k]) {
@@ -194,7 +198,7 @@ impl GroupSearch<'_> {
     }
 
     /// Adds the pairs that gain.
-    fn try_pairs(&mut self, near: &[NearbyPair], pairs: &mut Vec<GroupPair>, job: &Job<'_>) -> Result<()> {
+    fn try_group_pairs(&mut self, near: &[NearbyPair], pairs: &mut Vec<GroupPair>, job: &Job<'_>) -> Result<()> {
         for (at, &(groups, _)) in near.iter().enumerate() {
             let Some(left) = self.trials else {
                 break;
