@@ -124,7 +124,7 @@ fn run(inputs: &[Input<'_>], values: &Values<Params>, job: &Job<'_>) -> Result<V
     };
     let moved = aligned.as_ref().map(|found| found.moved(&pieces, &job.part(0.2, 0.2))).transpose()?;
     let placed = match &moved {
-        Some(moved) => align::views_of(moved, &pieces, &job.part(0.2, 0.2))?,
+        Some(moved) => align::views_of_moved(moved, &pieces, &job.part(0.2, 0.2))?,
         None => alloc::copied(&pieces)?,
     };
     let job = &if moved.is_some() { job.part(0.2, 1.0) } else { job.part(0.0, 1.0) };
