@@ -21,10 +21,12 @@ mod material;
 mod merging;
 mod mesh;
 mod options;
+pub mod packed;
 mod polygons;
 mod precision;
 mod resources;
 mod text;
+mod validity;
 
 #[cfg(test)]
 mod polygons_tests;

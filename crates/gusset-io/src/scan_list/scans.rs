@@ -76,7 +76,8 @@ impl<'a> Scene<'a> {
     }
 
     fn append(&mut self, mut scan: Document, name: &str, pose: &Pose) -> Result<(), ReadError> {
-        let too_large = || ReadError::new(ReadErrorKind::TooLarge, "the scans have more than 2^32 - 1 meshes or images");
+        let too_large =
+            || ReadError::new(ReadErrorKind::TooLarge, "the scans have more than 2^32 - 1 meshes or images");
         let document = &mut self.document;
         let is_first = self.loaded.is_empty();
         let mesh_start = u32::try_from(document.meshes.len()).map_err(|_| too_large())?;
@@ -99,7 +100,8 @@ impl<'a> Scene<'a> {
         }
         append_points(&mut document.points, scan.points, pose)?;
         append_curves(document, &scan.curves, pose)?;
-        document.metres_per_unit = scan.metres_per_unit.filter(|_| is_first || document.metres_per_unit == scan.metres_per_unit);
+        document.metres_per_unit =
+            scan.metres_per_unit.filter(|_| is_first || document.metres_per_unit == scan.metres_per_unit);
         document.notes.extend(scan.notes.iter().map(|note| {
             let text = match note.place {
                 Place::Whole => format!("{name}: {}", note.text),
