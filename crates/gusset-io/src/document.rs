@@ -1,8 +1,9 @@
 //! The content of a file.
 
-use crate::error::{Note, ReadError, ReadErrorKind};
+use crate::error::{Note, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
 use crate::material::{Image, ImageData, Material, NO_MATERIAL, NativeMaterial};
 use crate::mesh::{Mesh, Positions, Property, Values};
+use std::borrow::Cow;
 
 /// Polylines. Curve `c` has points `offsets[c]` to `offsets[c + 1] - 1`; a closed curve also joins the last point to the first.
 #[derive(Clone, Debug, PartialEq)]
@@ -107,6 +108,25 @@ impl Document {
             let mesh = std::mem::take(&mut self.meshes[placement.mesh as usize]);
             return Ok((mesh, self.materials, self.images, self.notes));
         }
+        let joined = self.joined_copy(max_elements)?;
+        Ok((joined, self.materials, self.images, self.notes))
+    }
+
+    /// Joins all placed meshes as [`flattened`](Self::flattened) does. Borrows a mesh that is placed alone by the identity.
+    pub(crate) fn joined(&self) -> Result<Cow<'_, Mesh>, WriteError> {
+        if let [placement] = &self.placements[..]
+            && placement.transform == Placement::IDENTITY
+        {
+            return Ok(Cow::Borrowed(&self.meshes[placement.mesh as usize]));
+        }
+        self.joined_copy(u64::MAX).map(Cow::Owned).map_err(|error| {
+            let is_full = error.kind == ReadErrorKind::OutOfMemory;
+            let kind = if is_full { WriteErrorKind::OutOfMemory } else { WriteErrorKind::Unsupported };
+            WriteError::new(kind, error.message)
+        })
+    }
+
+    fn joined_copy(&self, max_elements: u64) -> Result<Mesh, ReadError> {
         let size: u64 = self
             .placements
             .iter()
@@ -123,7 +143,7 @@ impl Document {
         for placement in &self.placements {
             append_placed(&mut joined, &self.meshes[placement.mesh as usize], &placement.transform)?;
         }
-        Ok((joined, self.materials, self.images, self.notes))
+        Ok(joined)
     }
 }
 
@@ -142,14 +162,13 @@ fn append_placed(joined: &mut Mesh, mesh: &Mesh, transform: &[[f64; 4]; 3]) -> R
     append_merge(joined, mesh, vertices);
     let before = [vertices, corners];
     let after = [joined.positions.len(), joined.corners.len()];
-    let old_corners = joined.corners.clone();
     let rotated = |normal: [f64; 3]| if is_moved { transformed_normal(transform, normal) } else { normal };
     joined.normals = appended_values(
         std::mem::take(&mut joined.normals),
         &mesh.normals,
         before,
         after,
-        &old_corners,
+        &joined.corners,
         &order,
         rotated,
     );
@@ -158,7 +177,7 @@ fn append_placed(joined: &mut Mesh, mesh: &Mesh, transform: &[[f64; 4]; 3]) -> R
         &mesh.texcoords,
         before,
         after,
-        &old_corners,
+        &joined.corners,
         &order,
         |value| value,
     );
@@ -267,9 +286,12 @@ fn appended_values<const N: usize>(
             Values::Vertices(all)
         }
         (old, added) => {
-            let mut all: Vec<[f64; N]> = (0..corner_start)
-                .map(|corner| old.at_corner(corner, corners[corner]).unwrap_or(Values::<N>::MISSING))
-                .collect();
+            let mut all: Vec<[f64; N]> = match old {
+                Values::Corners(all) => all,
+                old => (0..corner_start)
+                    .map(|corner| old.at_corner(corner, corners[corner]).unwrap_or(Values::<N>::MISSING))
+                    .collect(),
+            };
             all.extend(order.iter().zip(&corners[corner_start..]).map(|(&corner, &vertex)| {
                 added.at_corner(corner as usize, vertex - vertex_start as u32).map_or(Values::<N>::MISSING, &change)
             }));

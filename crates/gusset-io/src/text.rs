@@ -16,6 +16,11 @@ impl<'a> Scanner<'a> {
         Self { bytes, place: 0, line: 1, comment }
     }
 
+    /// Starts within a file: at a byte and the line that it is in.
+    pub(crate) fn new_at(bytes: &'a [u8], place: usize, line: u64, comment: Option<u8>) -> Self {
+        Self { bytes, place: place.min(bytes.len()), line, comment }
+    }
+
     /// Returns the number of the current line, from 1.
     pub(crate) fn line(&self) -> u64 {
         self.line
@@ -88,6 +93,72 @@ impl<'a> Scanner<'a> {
         self.place += rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len());
     }
 
+    /// Passes blanks, comments and ends of lines. Returns whether a word follows.
+    fn seek_word(&mut self) -> bool {
+        while let Some(&byte) = self.bytes.get(self.place) {
+            if byte == b'\n' {
+                self.line += 1;
+            } else if Some(byte) == self.comment {
+                self.skip_to_line_end();
+                continue;
+            } else if !is_blank(byte) {
+                return true;
+            }
+            self.place += 1;
+        }
+        false
+    }
+
+    /// Returns whether no byte of a word follows.
+    fn is_word_end(&self, place: usize) -> bool {
+        self.bytes.get(place).is_none_or(|&byte| is_blank(byte) || byte == b'\n' || Some(byte) == self.comment)
+    }
+
+    /// Reads the next word of the file as a number. If it is not a number, or the file ends, returns `None` before that word.
+    #[inline]
+    pub(crate) fn next_number<T: fast_float2::FastFloat>(&mut self) -> Option<T> {
+        if !self.seek_word() {
+            return None;
+        }
+        if let Ok((value, length)) = fast_float2::parse_partial(&self.bytes[self.place..])
+            && self.is_word_end(self.place + length)
+        {
+            self.place += length;
+            return Some(value);
+        }
+        let [place, line] = [self.place as u64, self.line];
+        let value = self.word().and_then(parsed);
+        if value.is_none() {
+            self.place = place as usize;
+            self.line = line;
+        }
+        value
+    }
+
+    /// Reads the next word of the file as an integer of at most 9 digits without sign. If it is anything else, or the file ends,
+    /// returns `None` before that word.
+    #[inline]
+    pub(crate) fn next_index(&mut self) -> Option<u32> {
+        const MAX_DIGITS: usize = 9;
+        if !self.seek_word() {
+            return None;
+        }
+        let mut value = 0;
+        let mut length = 0;
+        while let Some(digit) = self.bytes.get(self.place + length).filter(|byte| byte.is_ascii_digit()) {
+            value = 10 * value + u32::from(digit - b'0');
+            length += 1;
+            if length > MAX_DIGITS {
+                return None;
+            }
+        }
+        if length == 0 || !self.is_word_end(self.place + length) {
+            return None;
+        }
+        self.place += length;
+        Some(value)
+    }
+
     /// Makes an error at the current line.
     pub(crate) fn error(&self, message: impl Into<String>) -> ReadError {
         ReadError::malformed(Place::Line(self.line), message)
@@ -95,10 +166,13 @@ impl<'a> Scanner<'a> {
 
     /// Reads the next word of the file as a number. `element` names what it belongs to: `vertex 2`.
     pub(crate) fn number(&mut self, element: impl Fn() -> String) -> Result<f64, ReadError> {
-        let Some(word) = self.word() else {
-            return Err(self.error(format!("{}: the file ends before its numbers", element())));
-        };
-        number(word).ok_or_else(|| self.error(format!("{}: {} is not a number", element(), quoted(word))))
+        if let Some(value) = self.next_number() {
+            return Ok(value);
+        }
+        Err(match self.word() {
+            Some(word) => self.error(format!("{}: {} is not a number", element(), quoted(word))),
+            None => self.error(format!("{}: the file ends before its numbers", element())),
+        })
     }
 }
 
@@ -108,7 +182,25 @@ fn is_blank(byte: u8) -> bool {
 
 /// Returns the number that a word is: decimal, with or without sign and exponent, `nan` or `inf`.
 pub(crate) fn number(word: &[u8]) -> Option<f64> {
-    fast_float2::parse(word.strip_prefix(b"+").filter(|rest| !rest.starts_with(b"-")).unwrap_or(word)).ok()
+    parsed(word)
+}
+
+fn parsed<T: fast_float2::FastFloat>(word: &[u8]) -> Option<T> {
+    let unsigned = word.strip_prefix(b"+").filter(|rest| !rest.starts_with(b"-")).unwrap_or(word);
+    fast_float2::parse(unsigned).or_else(|error| microsoft_word(unsigned).map_or(Err(error), fast_float2::parse)).ok()
+}
+
+/// Returns the usual word for what Microsoft's C library writes for NaN and infinity: `-nan(ind)`, `1.#QNAN`, `-1.#INF`.
+fn microsoft_word(word: &[u8]) -> Option<&'static str> {
+    const MAX_LENGTH: usize = 16;
+    let lower = word.get(..word.len().min(MAX_LENGTH))?.to_ascii_lowercase();
+    let unsigned = lower.strip_prefix(b"-").unwrap_or(&lower);
+    match unsigned.strip_prefix(b"1.#") {
+        Some(rest) if rest.starts_with(b"inf") => Some(if lower[0] == b'-' { "-inf" } else { "inf" }),
+        Some(rest) if rest.starts_with(b"ind") || rest.starts_with(b"qnan") || rest.starts_with(b"snan") => Some("nan"),
+        None if unsigned.starts_with(b"nan(") => Some("nan"),
+        _ => None,
+    }
 }
 
 /// Returns the integer that a word is, with or without sign.
