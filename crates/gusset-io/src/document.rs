@@ -1,9 +1,10 @@
 //! The content of a file.
 
-use crate::error::{Note, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
+use crate::error::{Note, Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
 use crate::material::{Image, ImageData, Material, NO_MATERIAL, NativeMaterial};
-use crate::mesh::{Mesh, Positions, Property, Values};
+use crate::mesh::{Mesh, NumberKind, Positions, Property, Values};
 use std::borrow::Cow;
+use std::sync::Arc;
 
 /// Polylines. Curve `c` has points `offsets[c]` to `offsets[c + 1] - 1`; a closed curve also joins the last point to the first.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,6 +77,17 @@ impl Document {
     pub fn from_mesh(mesh: Mesh) -> Self {
         let placement = Placement { name: mesh.name.clone(), mesh: 0, transform: Placement::IDENTITY };
         Self { meshes: vec![mesh], placements: vec![placement], ..Self::default() }
+    }
+
+    /// Leaves out images in files, with a note for each. A document from a stream needs this before it is written to a file, because
+    /// the stream has no folder in which names could be looked up.
+    pub fn drop_image_files(&mut self) {
+        for image in &mut self.images {
+            if let ImageData::File(name) = &image.data {
+                self.notes.push(Note::new(Place::Whole, format!("image left out: the file {name} was not given")));
+                image.data = ImageData::Bytes(Arc::from([]));
+            }
+        }
     }
 
     /// Changes the names of the files that images and materials refer to. A document that moves to another folder needs this, because
@@ -326,6 +338,10 @@ fn append_properties(joined: &mut Mesh, mesh: &Mesh, vertices: usize, faces: usi
     for property in &mut all {
         if let Some(added) = mesh.properties.iter().find(|added| is_one_property(property, added)) {
             property.values.truncate(lengths(property.domain).0);
+            if property.kind != added.kind {
+                // The only type that holds the numbers of all types.
+                property.kind = NumberKind::F64;
+            }
             property.values.extend_from_slice(&added.values);
         }
         property.values.resize(lengths(property.domain).1, 0.0);

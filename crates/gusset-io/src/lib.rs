@@ -9,27 +9,35 @@
 //!
 //! One folder holds one format. `document`, `mesh` and `material` are the model that all formats share; `text` reads and writes numbers
 //! and words; `polygons` splits polygons into triangles, by `ear_clipping` and `least_overlap`; `precision` tells what single precision
-//! would move.
+//! would move. `files` reads and writes paths, `folder` finds the files that a file refers to, and `pending_file` replaces a file whole.
 
 mod document;
 mod ear_clipping;
 mod error;
 mod files;
+mod folder;
 mod format;
 mod least_overlap;
 mod material;
 mod merging;
 mod mesh;
 mod options;
+mod pending_file;
 mod polygons;
 mod precision;
 mod resources;
 mod text;
 
 #[cfg(test)]
+mod document_tests;
+#[cfg(test)]
+mod files_tests;
+#[cfg(test)]
 mod polygons_tests;
 #[cfg(test)]
 mod test_measures;
+#[cfg(test)]
+mod text_tests;
 
 mod dxf;
 mod gltf;

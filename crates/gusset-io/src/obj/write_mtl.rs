@@ -1,5 +1,6 @@
 //! Material libraries beside OBJ files.
 
+use super::mtl_line::with_renamed_file;
 use crate::document::Document;
 use crate::error::{Loss, WriteError};
 use crate::material::{ImageData, Material, NO_MATERIAL, NativeMaterial};
@@ -97,7 +98,8 @@ pub(super) fn write_library(
         text.bytes(b"\n")?;
         if let Some(NativeMaterial::Mtl(lines)) = &material.native {
             for line in lines {
-                text.text(&one_line(line))?;
+                let line = with_renamed_file(line, |name| target.resources.written_name(name));
+                text.text(&one_line(&line))?;
                 text.bytes(b"\n")?;
             }
             continue;
@@ -158,7 +160,9 @@ impl ImageFiles {
     ) -> Result<Option<String>, WriteError> {
         let Some(image) = document.images.get(index as usize) else { return Ok(None) };
         let bytes = match &image.data {
-            ImageData::File(name) => return Ok(Some(name.clone())),
+            ImageData::File(name) => return Ok(Some(target.resources.written_name(name))),
+            // The reader refused to follow its name.
+            ImageData::Bytes(bytes) if bytes.is_empty() => return Ok(None),
             ImageData::Bytes(bytes) => bytes,
         };
         if let Some(name) = self.written.get(&index) {
