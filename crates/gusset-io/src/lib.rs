@@ -9,12 +9,13 @@
 //!
 //! One folder holds one format. `document`, `mesh` and `material` are the model that all formats share; `text` reads and writes numbers
 //! and words; `polygons` splits polygons into triangles, by `ear_clipping` and `least_overlap`; `precision` tells what single precision
-//! would move.
+//! would move. `files` reads and writes paths, `folder` finds the files that a file refers to, and `pending_file` replaces a file whole.
 
 mod document;
 mod ear_clipping;
 mod error;
 mod files;
+mod folder;
 mod format;
 mod least_overlap;
 mod material;
@@ -22,6 +23,7 @@ mod merging;
 mod mesh;
 mod options;
 pub mod packed;
+mod pending_file;
 mod polygons;
 mod precision;
 mod resources;
@@ -29,9 +31,15 @@ mod text;
 mod validity;
 
 #[cfg(test)]
+mod document_tests;
+#[cfg(test)]
+mod files_tests;
+#[cfg(test)]
 mod polygons_tests;
 #[cfg(test)]
 mod test_measures;
+#[cfg(test)]
+mod text_tests;
 
 mod dxf;
 mod gltf;
