@@ -10,6 +10,7 @@
 //! One folder holds one format. `document`, `mesh` and `material` are the model that all formats share; `text` reads and writes numbers
 //! and words; `polygons` splits polygons into triangles; `precision` tells what single precision would move.
 
+mod budget;
 mod document;
 mod error;
 mod files;
