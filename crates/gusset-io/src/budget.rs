@@ -26,6 +26,11 @@ impl Budget {
         self.left = self.left.saturating_add((file_bytes as u64).saturating_mul(MEMORY_MULTIPLE));
     }
 
+    /// Returns the bytes that are left.
+    pub(crate) fn left_bytes(&self) -> u64 {
+        self.left
+    }
+
     /// Takes memory for `count` elements of type `T`.
     pub(crate) fn take<T>(&mut self, count: u64) -> Result<(), ReadError> {
         let bytes = count.saturating_mul(size_of::<T>() as u64);

@@ -26,10 +26,6 @@ pub(super) struct LoosePoint {
 }
 
 impl Strands {
-    pub(super) fn is_empty(&self) -> bool {
-        self.closed.is_empty() && self.points.is_empty()
-    }
-
     /// Appends lines of a primitive. Segments of which each begins where the one before ends are one polyline.
     pub(super) fn append_lines(
         &mut self,

@@ -80,12 +80,7 @@ impl<'a> Tape<'a> {
 
     /// Returns the outermost value.
     pub(super) fn root(&self) -> Value<'_> {
-        self.value(0)
-    }
-
-    /// Returns the value of an entry's index.
-    pub(super) fn value(&self, index: u32) -> Value<'_> {
-        Value { tape: self, index }
+        Value { tape: self, index: 0 }
     }
 }
 
@@ -223,11 +218,6 @@ impl<'t> Value<'t> {
     pub(super) fn raw(self) -> &'t [u8] {
         let entry = self.entry();
         &self.tape.text[entry.start as usize..entry.end as usize]
-    }
-
-    /// Returns the index of the value's entry.
-    pub(super) fn index(self) -> u32 {
-        self.index
     }
 
     fn first_byte(self) -> u8 {

@@ -1,7 +1,7 @@
 //! Writes a scene as one file, whose buffer is inside.
 
 use super::base64::encode_base64;
-use super::gltf_binary::{Binary, JsonList, Target as ViewTarget};
+use super::gltf_binary::{Binary, JsonList};
 use super::gltf_faces_read::POLYGON_EXTENSION;
 use super::gltf_materials_write::{MaterialWriter, named_object};
 use super::gltf_matrix::Matrix;
@@ -12,7 +12,6 @@ use crate::error::{Loss, WriteError, WriteErrorKind};
 use crate::options::WriteOptions;
 use crate::resources::Target;
 use std::collections::BTreeMap;
-use std::io::Write;
 
 /// Writes JSON text with the buffer as base64.
 pub(crate) fn write_gltf(
