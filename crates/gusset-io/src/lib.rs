@@ -19,6 +19,7 @@ mod foreign_files;
 mod format;
 mod least_overlap;
 mod material;
+mod merging;
 mod mesh;
 mod options;
 mod parallel_fill;

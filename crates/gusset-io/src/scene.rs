@@ -39,7 +39,7 @@ pub(crate) enum Attribute {
     Materials,
 }
 
-/// Lists the attributes of a mesh, and the curves and points beside it, that files of a format (`STL`) do not hold.
+/// Lists the attributes of a mesh, and what the document has beside it, that files of a format (`STL`) do not hold.
 pub(crate) fn list_lost_content(document: &Document, mesh: &Mesh, files: &str, held: &[Attribute]) -> Vec<Loss> {
     let has_materials = mesh.face_materials.iter().any(|&material| material != NO_MATERIAL);
     let mut lost: Vec<String> = [
@@ -56,14 +56,17 @@ pub(crate) fn list_lost_content(document: &Document, mesh: &Mesh, files: &str, h
     lost.extend(mesh.properties.iter().map(|property| {
         format!("{} of {}", property.name, if property.domain == Domain::Faces { "faces" } else { "vertices" })
     }));
-    let curves = document.curves.closed.len();
-    if curves > 0 {
-        lost.push(counted(curves, "polyline", "polylines"));
-    }
-    let points = document.points.positions.len();
-    if points > 0 {
-        lost.push(counted(points, "point without faces", "points without faces"));
-    }
+    let has_names = document.placements.iter().any(|placement| !placement.name.is_empty());
+    lost.extend(
+        [
+            (!document.curves.closed.is_empty(), "curves"),
+            (!document.points.positions.is_empty(), "points beside a mesh"),
+            (document.placements.len() > 1 && has_names, "names of objects"),
+        ]
+        .iter()
+        .filter(|(is_present, _)| *is_present)
+        .map(|(_, name)| (*name).to_string()),
+    );
     lost.into_iter().map(|name| Loss(format!("{name}, which {files} files do not hold"))).collect()
 }
 
