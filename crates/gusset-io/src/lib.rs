@@ -12,11 +12,14 @@
 //! would move. `files` reads and writes paths, `folder` finds the files that a file refers to, and `pending_file` replaces a file whole.
 
 mod budget;
+//! would move; `scene` joins meshes for formats that hold one; `vertex_merging` finds equal positions.
+mod colour_steps;
 mod document;
 mod ear_clipping;
 mod error;
 mod files;
 mod folder;
+mod foreign_files;
 mod format;
 mod least_overlap;
 mod material;
@@ -25,11 +28,15 @@ mod mesh;
 mod options;
 pub mod packed;
 mod pending_file;
+mod parallel_fill;
 mod polygons;
 mod precision;
 mod resources;
+mod scene;
 mod text;
 mod validity;
+mod text_encoding;
+mod vertex_merging;
 
 #[cfg(test)]
 mod document_tests;
