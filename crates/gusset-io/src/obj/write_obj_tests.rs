@@ -106,7 +106,7 @@ fn placements_become_objects() {
     let objects: Vec<_> = text.lines().filter(|line| line.starts_with("o ")).collect();
     assert_eq!(objects, ["o first_f 9 9 9", "o object_2", "o second"]);
     let back = read(&text).meshes.remove(0);
-    let (flat, ..) = document.flattened(u64::MAX).expect("it is small");
+    let flat = document.into_joined(u64::MAX).expect("it is small").meshes.remove(0);
     assert_eq!(back.face_count(), flat.face_count());
     for (now, was) in (0..back.face_count()).map(|face| (back.face_range(face), flat.face_range(face))) {
         for (now, was) in now.zip(was) {
