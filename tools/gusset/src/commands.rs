@@ -233,6 +233,7 @@ impl Builder {
                 .value_name("CHOICE")
                 .value_parser(PossibleValuesParser::new(choices))
                 .hide_possible_values(true)
+                .ignore_case(true)
                 .allow_hyphen_values(false),
             ParamKind::Integer => made.value_name("N"),
             ParamKind::Length => made.value_name("LENGTH"),
