@@ -96,7 +96,7 @@ class Commands(unittest.TestCase):
         found = told(DONE, "stitch", "low.obj", "high.obj", "--rows", "by-mean-edge", "-o", "joined.off")
         self.assertEqual(set(found), {"command", "filter", "inputs", "parameters", "outputs", "report", "values"})
         self.assertEqual((found["command"], found["filter"]), ("stitch", "stitch"))
-        self.assertEqual(found["inputs"][1], {"file": "high.obj", "kind": "mesh", "vertices": 18, "faces": 9, "attributes": []})
+        self.assertEqual(found["inputs"][1], {"file": "high.obj", "kind": "mesh", "vertices": 18, "faces": 9, "attributes": [], "notes": []})
         self.assertEqual((found["parameters"]["rows"], found["parameters"]["loop_a"]), ("by-mean-edge", -1))
         made = found["outputs"][0]
         self.assertEqual((made["vertices"], made["faces"]), meshes.counts(self.at("joined.off")))
