@@ -4,7 +4,7 @@ use crate::nets::{Surface, any_topology, job, numbered, same, shape, sphere, tor
 use crate::space::{has_cell, is_hidden};
 use glam::DVec3;
 use gusset::mesh::Scalar;
-use gusset::net::topology::{Gluing, Links};
+use gusset::net::topology::{ContractedLinks, Gluing};
 use gusset::net::{
     BridgeKind, BridgeMode, Classes, Direction, JoinOptions, Net, Replication, Sides, Topology, concatenate,
     concatenate_all,
@@ -142,7 +142,7 @@ proptest! {
             Direction::Right => (0..w).for_each(|j| matrix.set(2 * shape.node(h - 1, j) + 1, true)),
             Direction::Down => (0..h).for_each(|i| matrix.set(2 * shape.node(i, w - 1), true)),
         }
-        let Ok(topology) = Topology::new(shape, Links::Matrix(matrix), topology.seams()) else { return Ok(()) };
+        let Ok(topology) = Topology::new(shape, ContractedLinks::Matrix(matrix), topology.seams()) else { return Ok(()) };
         let b = Net::from_fn(topology, Scalar::F32, |i, j| {
             let (i, j) = if direction == Direction::Right { (i % (h - 1), j) } else { (i, j % (w - 1)) };
             DVec3::new(i as f64, j as f64, 1.0)
@@ -255,7 +255,7 @@ fn edits_survive_splitting() {
         assert_eq!((first.topology(), second.topology()), (a.topology(), b.topology()));
         let mut matrix = joined.topology().matrix().unwrap();
         matrix.set(2 * joined.shape().node(2, 3), true);
-        let links = Links::Matrix(matrix);
+        let links = ContractedLinks::Matrix(matrix);
         joined.set_topology(Topology::new(joined.shape(), links, joined.topology().seams()).unwrap());
         let [first, second] = joined.split(0, &job()).unwrap();
         assert!(first.topology().contracts(2 * first.shape().node(2, 3)));

@@ -10,7 +10,7 @@ use gusset::check::check;
 use gusset::mesh::{NONE, PositionBuffer, Scalar};
 use gusset::net::convert::{Diagonal, Heights, MeshOptions, net_of_grid, net_of_heights};
 use gusset::net::primitive::{Primitive, Request};
-use gusset::net::topology::{Links, Run};
+use gusset::net::topology::{ContractedLinks, SeamRun};
 use gusset::net::{BridgeMode, Classes, Direction, JoinOptions, Net, Seam, Sides, Topology, concatenate};
 use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -124,12 +124,12 @@ proptest! {
             Topology::from_sides(shape(h, w), sides)
         } else {
             let (last, end, by) = (h as u32 - 1, w as u32 - 1, shift as u32);
-            let row = |i, j| Run::along_row(i, j, 1);
+            let row = |i, j| SeamRun::along_row(i, j, 1);
             let seams = [
                 Seam { a: row(last, 0), b: row(0, by), count: end + 1 - by },
                 Seam { a: row(last, end - by), b: row(0, 0), count: by + 1 },
             ];
-            let links = Links::Sides(Sides { columns_closed: false, ..sides });
+            let links = ContractedLinks::Sides(Sides { columns_closed: false, ..sides });
             Topology::new(shape(h, w), links, &seams).unwrap()
         };
         let classes = Classes::new(&topology).unwrap();

@@ -6,7 +6,7 @@ use gusset::mesh::Scalar;
 use gusset::net::closure::{BoxKind, Cuboid};
 use gusset::net::field::{self, Field, Lattice, Step, deform, displace};
 use gusset::net::primitive::{Primitive, Request};
-use gusset::net::transform::{Affine, Axis, Sense, transform};
+use gusset::net::transform::{Affine, Axis, RotationSense, transform};
 use gusset::net::{Classes, Net};
 
 fn shapes() -> Vec<Net<'static>> {
@@ -56,8 +56,8 @@ fn shapes_and_affine_maps() {
     let axis = DVec3::new(1.0, -0.3, 0.7);
     let maps = [
         ("translation", Affine::translation(DVec3::new(0.1, 1e3, -7.0 / 3.0))),
-        ("rotation", Affine::rotation(axis, third, DVec3::ONE, Sense::RightHanded)),
-        ("rotation as printed", Affine::rotation(axis, third, DVec3::ZERO, Sense::AsPrinted)),
+        ("rotation", Affine::rotation(axis, third, DVec3::ONE, RotationSense::RightHanded)),
+        ("rotation as printed", Affine::rotation(axis, third, DVec3::ZERO, RotationSense::AsPrinted)),
         ("scaling", Affine::scaling(-1.0 / 3.0)),
         ("compression", Affine::compression(Axis::Y, 0.1)),
         ("stretching", Affine::stretching(DVec3::new(-1.0, 0.3, 7.0))),

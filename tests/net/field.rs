@@ -6,7 +6,7 @@ use glam::DVec3;
 use gusset::mesh::Scalar;
 use gusset::net::analyse::jacobian;
 use gusset::net::field::{self, *};
-use gusset::net::transform::{Affine, Axis, Sense};
+use gusset::net::transform::{Affine, Axis, RotationSense};
 use gusset::net::{Net, Sides, Topology};
 use gusset::{Error, Job};
 use std::f64::consts::{PI, TAU};
@@ -28,7 +28,7 @@ fn all_fields() -> Vec<(&'static str, Box<dyn Field>)> {
     let offsets: Vec<DVec3> = (0..3 * 2 * 4).map(|_| 0.2 * random.vector()).collect();
     let lattice = Lattice::new(DVec3::splat(-5.0), DVec3::splat(5.0), [3, 2, 4], &offsets).unwrap();
     vec![
-        ("affine", Box::new(Affine::rotation(DVec3::ONE, 0.7, DVec3::X, Sense::RightHanded).unwrap())),
+        ("affine", Box::new(Affine::rotation(DVec3::ONE, 0.7, DVec3::X, RotationSense::RightHanded).unwrap())),
         ("twist", Box::new(field::twist(Axis::Z, 0.8, 0.1).unwrap())),
         ("taper", Box::new(field::taper(Axis::X, 0.1, -0.3).unwrap())),
         ("bend", Box::new(field::bend(Axis::Y, 0.15, -1.0, 2.0).unwrap())),
@@ -311,9 +311,9 @@ fn a_sheet_rolls_up_to_a_torus() {
 #[test]
 fn strengths_follow_their_keys() {
     let keys = [[1.0, 0.0], [2.0, 1.0], [4.0, -3.0]];
-    let linear = Timed::new(&keys, Easing::Linear).unwrap();
-    let smooth = Timed::new(&keys, Easing::Smooth).unwrap();
-    let hold = Timed::new(&keys, Easing::Hold).unwrap();
+    let linear = TimedStrength::new(&keys, Easing::Linear).unwrap();
+    let smooth = TimedStrength::new(&keys, Easing::Smooth).unwrap();
+    let hold = TimedStrength::new(&keys, Easing::Hold).unwrap();
     for timed in [linear, smooth, hold] {
         for [time, strength] in keys {
             assert_eq!(timed.strength(time), strength);
@@ -323,9 +323,9 @@ fn strengths_follow_their_keys() {
     assert_eq!((linear.strength(1.25), smooth.strength(1.5), hold.strength(1.99)), (0.25, 0.5, 0.0));
     assert_eq!(linear.strength(3.0), -1.0);
     assert!(smooth.strength(1.1) < 0.1 && smooth.strength(1.9) > 0.9);
-    assert!(Timed::new(&[], Easing::Linear).is_err());
-    assert!(Timed::new(&[[1.0, 0.0], [1.0, 1.0]], Easing::Linear).is_err());
-    assert!(Timed::new(&[[f64::NAN, 0.0]], Easing::Linear).is_err());
+    assert!(TimedStrength::new(&[], Easing::Linear).is_err());
+    assert!(TimedStrength::new(&[[1.0, 0.0], [1.0, 1.0]], Easing::Linear).is_err());
+    assert!(TimedStrength::new(&[[f64::NAN, 0.0]], Easing::Linear).is_err());
 }
 
 #[test]

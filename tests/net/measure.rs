@@ -7,7 +7,7 @@ use glam::{DMat3, DVec3};
 use gusset::mesh::Scalar;
 use gusset::net::field::{Step, deform};
 use gusset::net::measure::{measure, moments, planarity};
-use gusset::net::transform::{Affine, Axis, Sense, transform};
+use gusset::net::transform::{Affine, Axis, RotationSense, transform};
 use gusset::net::*;
 use gusset::{Error, Job};
 use std::f64::consts::PI;
@@ -109,7 +109,7 @@ fn moments_of_a_box_are_those_of_mechanics() {
         let size = DVec3::new(1.5, 2.0, 1.0) + random.vector().abs();
         let mut net = cube(3, size, Scalar::F64);
         let axis = random.vector();
-        let turn = Affine::rotation(axis, 1.0, DVec3::ZERO, Sense::RightHanded).unwrap();
+        let turn = Affine::rotation(axis, 1.0, DVec3::ZERO, RotationSense::RightHanded).unwrap();
         let shift = Affine::translation(100.0 * random.vector()).unwrap();
         let place = turn.then(&shift).unwrap();
         transform(&mut net, &place, &Job::default()).unwrap();

@@ -5,7 +5,7 @@ use crate::space::{sheet, sphere};
 use gusset::Job;
 use gusset::mesh::Scalar;
 use gusset::net::topology::{
-    Gluing, GluingType, Occurrence, Run, classify_cell, classify_node, histogram, occurrences,
+    Gluing, GluingOccurrence, GluingType, SeamRun, classify_cell, classify_node, histogram, occurrences,
 };
 use gusset::net::{Classes, Seam, Shape, Sides, Topology};
 use std::collections::BTreeMap;
@@ -49,7 +49,8 @@ fn letters_and_orders_are_those_that_counting_finds() {
             assert_eq!(usize::from(signature.link_order), most_links_made_one(&classes), "{number}");
             // The letters, from the contracted links on the way round the node or the cell.
             let all = occurrences(&topology, false, &Job::default()).unwrap();
-            let here = |o: &&Occurrence| o.kind == kind && o.on_cell == on_cell && (on_cell || o.element == element);
+            let here =
+                |o: &&GluingOccurrence| o.kind == kind && o.on_cell == on_cell && (on_cell || o.element == element);
             let found = all.iter().find(here).unwrap_or_else(|| panic!("{number}"));
             assert_eq!((found.signature, found.class_size as usize), (signature, largest));
             let shape = topology.shape();
@@ -116,7 +117,7 @@ fn all_of_a_net_are_listed_in_order_and_as_often_as_the_histogram_says() {
 /// restarted at 0.
 #[test]
 fn progress_never_falls_back() {
-    let seam = Seam { a: Run::along_row(0, 0, 1), b: Run::along_row(6, 0, 1), count: 7 };
+    let seam = Seam { a: SeamRun::along_row(0, 0, 1), b: SeamRun::along_row(6, 0, 1), count: 7 };
     let glued = sheet(7, 7, Scalar::F64).topology().glued(&[Gluing::Seam(seam)]).unwrap();
     occurrences(&glued, false, &Job::new(1, &Steady::default())).unwrap();
 }

@@ -4,7 +4,7 @@
 use crate::complexes::Oracle;
 use gusset::net::complex::Complex;
 use gusset::net::topology::{
-    CellDiagonal, Gluing, GluingType, Links, Matrix, Reduced, classify_cell, classify_node, histogram,
+    CellDiagonal, ContractedLinks, Gluing, GluingType, LinkMatrix, ReducedCell, classify_cell, classify_node, histogram,
 };
 use gusset::net::{Classes, Shape, Sides, Topology};
 use gusset::{Error, Job};
@@ -73,11 +73,11 @@ fn every_matrix_of_a_small_net() {
 fn check_matrices(shape: Shape, part: u32) -> (BTreeSet<usize>, u64) {
     let (mut seen, mut refused) = (BTreeSet::new(), 0);
     for bits in part << 16..(part + 1) << 16 {
-        let mut matrix = Matrix::empty(shape).unwrap();
+        let mut matrix = LinkMatrix::empty(shape).unwrap();
         (0..18).for_each(|link| matrix.set(link, bits >> link & 1 == 1));
         let pairs: Vec<_> = (matrix.links()).map(|link| shape.ends(link).map(|node| node as usize)).collect();
         let oracle = Oracle::new(shape, &pairs, |_, _| true);
-        let topology = Topology::new(shape, Links::Matrix(matrix), &[]);
+        let topology = Topology::new(shape, ContractedLinks::Matrix(matrix), &[]);
         if let Some(cell) = oracle.crossing {
             assert_eq!(topology, Err(Error::CrossingCell { cell: cell as u32 }));
             refused += 1;
@@ -169,7 +169,7 @@ fn there_are_eighteen() {
         all += 1;
         if first == [0, 1, 0, 1] {
             crossing += 1;
-            assert!(matches!(Reduced::new([0, 1, 0, 1]), Reduced::Crossing(_)));
+            assert!(matches!(ReducedCell::new([0, 1, 0, 1]), ReducedCell::Crossing(_)));
             continue;
         }
         let partition = normal((0..4).map(|k| (0..4).filter(|&n| first[n] == k).map(|n| corners[n]).collect()));
@@ -249,19 +249,21 @@ fn long_rows() {
     for (h, w) in [(2, 31), (3, 32), (3, 33), (2, 63), (4, 64), (3, 65), (2, 100), (70, 2), (33, 3)] {
         let shape = Shape::new(h, w).unwrap();
         for share in [1, 3, 6, 9, 10] {
-            let mut matrix = Matrix::empty(shape).unwrap();
+            let mut matrix = LinkMatrix::empty(shape).unwrap();
             (0..2 * shape.node_count() as u32).for_each(|link| matrix.set(link, dice.below(10) < share));
             let pairs: Vec<_> = (matrix.links()).map(|link| shape.ends(link).map(|node| node as usize)).collect();
             let class = crate::complexes::classes(shape.node_count(), &pairs);
             let crossing = Oracle::new(shape, &pairs, |_, _| true).crossing;
-            let topology = Topology::new(shape, Links::Matrix(matrix), &[]);
+            let topology = Topology::new(shape, ContractedLinks::Matrix(matrix), &[]);
             if let Some(cell) = crossing {
                 assert_eq!(topology, Err(Error::CrossingCell { cell: cell as u32 }));
                 continue;
             }
             let topology = topology.unwrap();
             let classes = Classes::new(&topology).unwrap();
-            assert!(classes.table().unwrap().iter().zip(&class).all(|(&found, &class)| found as usize == class));
+            assert!(
+                classes.representatives().unwrap().iter().zip(&class).all(|(&found, &class)| found as usize == class)
+            );
             let saturated = topology.saturated().unwrap();
             let (mut nodes, mut cells) = ([0; 18], [0; 18]);
             for node in 0..shape.node_count() as u32 {

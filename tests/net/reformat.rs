@@ -4,7 +4,7 @@ use crate::nets::{Surface, any_topology, job, numbered, same, shape, sphere, tor
 use glam::DVec3;
 use gusset::Error;
 use gusset::mesh::Scalar;
-use gusset::net::topology::{Links, Run};
+use gusset::net::topology::{ContractedLinks, SeamRun};
 use gusset::net::{Classes, Net, Replication, Seam, Sides, Topology};
 use proptest::prelude::*;
 
@@ -77,7 +77,7 @@ proptest! {
                 // The same gluing, where seams that say a pair twice can be written in shorter
                 // ways.
                 prop_assert!(says_a_pair_twice(&net), "{:?} {:?}", back.topology(), numbered.topology());
-                prop_assert_eq!(Classes::new(back.topology()).unwrap().table(), Classes::new(net.topology()).unwrap().table());
+                prop_assert_eq!(Classes::new(back.topology()).unwrap().representatives(), Classes::new(net.topology()).unwrap().representatives());
             } else {
                 prop_assert!(same(&back, &numbered));
             }
@@ -108,8 +108,8 @@ fn closed_nets_stay_closed() {
 fn a_seam_through_copies_is_one_again() {
     // A Möbius strip whose rows are replicated unequally: the seam is cut where its steps change.
     let size = shape(7, 5);
-    let seam = Seam { a: Run::along_column(0, 4, 1), b: Run::along_column(6, 0, -1), count: 7 };
-    let strip = Topology::new(size, Links::Sides(Sides::SHEET), &[seam]).unwrap();
+    let seam = Seam { a: SeamRun::along_column(0, 4, 1), b: SeamRun::along_column(6, 0, -1), count: 7 };
+    let strip = Topology::new(size, ContractedLinks::Sides(Sides::SHEET), &[seam]).unwrap();
     let net = glued(strip);
     for how in [Replication::First, Replication::Last, Replication::At(2), Replication::Uniform] {
         let large = net.reformatted(12, 9, [how; 2], &job()).unwrap();

@@ -4,7 +4,7 @@
 
 use glam::DVec3;
 use gusset::mesh::Scalar;
-use gusset::net::{Bridge, Coordinates, Direction, Net, Planes, Shape, Sides, Topology};
+use gusset::net::{Bridge, Coordinates, Direction, Net, Shape, Sides, Topology, XyzMatrices};
 use std::f64::consts::{PI, TAU};
 
 /// The sine and cosine of k of n parts of a full turn, with equal bits for k = 0 and k = n.
@@ -89,7 +89,7 @@ impl Gapped {
 
     pub fn net(&mut self, topology: Topology) -> Net<'_> {
         let [x, y, z] = &mut self.matrices;
-        let planes = Planes::borrowed(self.shape, self.stride, [x, y, z]).unwrap();
+        let planes = XyzMatrices::borrowed(self.shape, self.stride, [x, y, z]).unwrap();
         Net::new(Coordinates::F64(planes), topology)
     }
 

@@ -9,7 +9,7 @@ use gusset_base::geom::aabb;
 use gusset_base::job::Job;
 use gusset_mesh::MeshView;
 use gusset_net::analyse::analyse;
-use gusset_net::convert::{GridNet, net_of_grid};
+use gusset_net::convert::{RecognisedNet, net_of_grid};
 use gusset_net::{Coordinates, Net};
 
 pub(super) const FILTER: Filter = Filter {
@@ -71,7 +71,7 @@ fn range(ratios: &[f64]) -> String {
 }
 
 /// The net with the positions of another mesh, which must have the same faces.
-fn moved(grid: &GridNet, before: &MeshView<'_>, after: &MeshView<'_>, job: &Job<'_>) -> Result<Net<'static>> {
+fn moved(grid: &RecognisedNet, before: &MeshView<'_>, after: &MeshView<'_>, job: &Job<'_>) -> Result<Net<'static>> {
     job.step(0.0, "looking for the same faces")?;
     require_same_faces(before, after, 1)?;
     let shape = grid.net.shape();

@@ -7,7 +7,7 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_mesh::{Mesh, MeshView};
 use gusset_net::Net;
-use gusset_net::convert::{Diagonal, GridNet, MeshOptions, NetMesh, net_of_grid};
+use gusset_net::convert::{Diagonal, MeshOptions, NetMesh, RecognisedNet, net_of_grid};
 
 pub(super) const CATEGORY: &str = "Quad grids";
 pub(super) const REFERENCE: &str = "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks";
@@ -28,7 +28,7 @@ pub(super) fn net(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Net<'static>> {
 ///
 /// # Errors
 /// The errors of [`net_of_grid`].
-pub(super) fn grid(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<GridNet> {
+pub(super) fn grid(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<RecognisedNet> {
     net_of_grid(mesh, None, job)
 }
 
@@ -56,7 +56,7 @@ fn net_mesh(net: &Net<'_>, triangles: bool, job: &Job<'_>) -> Result<NetMesh> {
 /// The errors of [`Net::to_mesh`].
 pub(super) fn output<P: Parameters>(
     net: &Net<'_>,
-    (input, grid): (&MeshView<'_>, &GridNet),
+    (input, grid): (&MeshView<'_>, &RecognisedNet),
     lines: [&[usize]; 2],
     (values, triangles): (&Values<P>, bool),
     job: &Job<'_>,

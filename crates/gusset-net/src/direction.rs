@@ -33,7 +33,7 @@ impl Direction {
     }
 
     /// Returns the number of nodes in this direction, and across it along a joined side.
-    pub(crate) fn extent(self, shape: Shape) -> (usize, usize) {
+    pub(crate) fn extents_along_and_across(self, shape: Shape) -> (usize, usize) {
         self.ordered(shape.rows(), shape.columns())
     }
 

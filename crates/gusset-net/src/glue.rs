@@ -1,13 +1,13 @@
 //! Gluing in one step: by coordinates, by pairs of nodes, by links, in canonical form, with
 //! positions.
 //!
-//! [`reglued`] finds the new gluing before [`reglue`] sets it, so that a net changes as a whole or
+//! [`find_gluing`] finds the new gluing before [`set_gluing`] sets it, so that a net changes as a whole or
 //! not at all.
 
 use super::Net;
 use super::analyse::absorb;
 use super::detect_gluing::detect_gluing;
-use super::field::snap_to;
+use super::field::snap_groups;
 use super::topology::{Classes, Gluing, Topology};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -31,7 +31,7 @@ pub struct GlueOptions<'a> {
 ///
 /// # Errors
 /// Errors of [`detect_gluing()`], [`Topology::glued`], [`absorb`] and [`Topology::saturated`].
-pub fn reglued(net: &Net<'_>, options: &GlueOptions<'_>, job: &Job<'_>) -> Result<Option<Topology>> {
+pub fn find_gluing(net: &Net<'_>, options: &GlueOptions<'_>, job: &Job<'_>) -> Result<Option<Topology>> {
     let mut made: Option<Topology> = None;
     if let Some(tolerance) = options.detect {
         let topology = detect_gluing(net.coordinates(), tolerance, &job.part(0.0, 0.5))?;
@@ -58,12 +58,12 @@ pub fn reglued(net: &Net<'_>, options: &GlueOptions<'_>, job: &Job<'_>) -> Resul
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
-pub fn reglue(net: &mut Net<'_>, topology: Option<Topology>, snap: bool, job: &Job<'_>) -> Result<u64> {
+pub fn set_gluing(net: &mut Net<'_>, topology: Option<Topology>, snap: bool, job: &Job<'_>) -> Result<u64> {
     let classes = topology.as_ref().unwrap_or(net.topology());
     let groups = if snap { Some(Classes::new(classes)?.groups()?) } else { None };
     job.memory()?;
     if let Some(topology) = topology {
         net.set_topology(topology);
     }
-    Ok(groups.map_or(0, |groups| snap_to(&groups, net)))
+    Ok(groups.map_or(0, |groups| snap_groups(&groups, net)))
 }

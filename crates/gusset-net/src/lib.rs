@@ -7,7 +7,7 @@
 //!
 //! | subject | where |
 //! |---|---|
-//! | size, numbering, coordinates, the net itself | [`Shape`], [`Planes`], [`Coordinates`], [`Net`] |
+//! | size, numbering, coordinates, the net itself | [`Shape`], [`XyzMatrices`], [`Coordinates`], [`Net`] |
 //! | gluing, classes of glued nodes, the 18 local gluings | [`topology`] |
 //! | the surface after gluing | [`complex`] |
 //! | whether glued nodes coincide; the gluing that coordinates imply | [`Net::validate`]; [`detect_gluing()`] |
@@ -46,7 +46,7 @@ mod model;
 mod morph;
 pub mod normals;
 pub mod planarise;
-mod planes;
+mod xyz_matrices;
 pub mod primitive;
 mod real;
 mod reformat;
@@ -69,10 +69,10 @@ pub use join::{JoinOptions, concatenate, concatenate_all};
 pub use model::{Coordinates, Net};
 pub use morph::{MorphPath, morph};
 pub use planarise::planarise;
-pub use planes::Planes;
 pub use real::Real;
 pub use reformat::Replication;
 pub use settle::settle;
 pub use shape::{MAX_NODES, Shape};
-pub use topology::{Classes, Matrix, Seam, Sides, Topology};
+pub use topology::{Classes, LinkMatrix, Seam, Sides, Topology};
 pub use validate::{Finding, FindingKind};
+pub use xyz_matrices::XyzMatrices;

@@ -2,7 +2,7 @@
 //! checked by the coincidence of the coordinates of glued nodes"), and warnings about legal but
 //! suspicious gluings. O(nodes), plus a sort of the findings.
 
-use super::coincidence::{coincide, coincident_links};
+use super::coincidence::{are_coincident, for_each_coincident_link};
 use super::topology::star_links;
 use super::{Classes, Net, Shape, Topology, each};
 use gusset_base::alloc;
@@ -69,9 +69,9 @@ impl Net<'_> {
         };
         let apart = |nodes| {
             let [a, b] = ends(nodes);
-            !coincide(a, b, tolerance) && (a.is_finite() || b.is_finite())
+            !are_coincident(a, b, tolerance) && (a.is_finite() || b.is_finite())
         };
-        for link in topology.contracted().filter(|&link| apart(shape.ends(link))) {
+        for link in topology.contracted_links().filter(|&link| apart(shape.ends(link))) {
             add(FindingKind::LinkApart, link, shape.ends(link))?;
         }
         for (number, seam) in (0..).zip(topology.seams()) {
@@ -79,13 +79,13 @@ impl Net<'_> {
                 add(FindingKind::SeamApart, number, pair)?;
             }
         }
-        for link in loops(topology, &classes)? {
+        for link in find_loop_links(topology, &classes)? {
             add(FindingKind::Loop, link, shape.ends(link))?;
         }
-        each!(self.coordinates(), planes => coincident_links(planes, tolerance, job, |link| {
+        each!(self.coordinates(), planes => for_each_coincident_link(planes, tolerance, job, |link| {
             if classes.contracts(link) { Ok(()) } else { add(FindingKind::ZeroLength, link, shape.ends(link)) }
         }))?;
-        for link in few_nodes(topology) {
+        for link in find_links_closing_short_lines(topology) {
             add(FindingKind::FewNodes, link, shape.ends(link))?;
         }
         let key = |finding: &Finding| (finding.kind, finding.element, finding.nodes);
@@ -95,10 +95,10 @@ impl Net<'_> {
 }
 
 /// Returns the links between neighbours that belong to one class but are not contracted by name.
-fn loops(topology: &Topology, classes: &Classes) -> Result<Vec<u32>> {
+fn find_loop_links(topology: &Topology, classes: &Classes) -> Result<Vec<u32>> {
     let shape = topology.shape();
     let mut loops = Vec::new();
-    classes.each_glued(|node, _| {
+    classes.for_each_glued_node(|node, _| {
         let (i, j) = shape.place(node);
         let is_loop = |&link: &u32| shape.is_inner(link) && !topology.contracts(link) && classes.contracts(link);
         star_links(shape, i, j).into_iter().filter(is_loop).try_for_each(|link| alloc::push(&mut loops, link))
@@ -108,7 +108,7 @@ fn loops(topology: &Topology, classes: &Classes) -> Result<Vec<u32>> {
 }
 
 /// Returns the first link that closes a row of fewer than four nodes, and a column.
-fn few_nodes(topology: &Topology) -> impl Iterator<Item = u32> {
+fn find_links_closing_short_lines(topology: &Topology) -> impl Iterator<Item = u32> {
     let shape: Shape = topology.shape();
     let (h, w) = (shape.rows(), shape.columns());
     let rows = (0..if w < 4 { h } else { 0 }).map(move |i| shape.horizontal_link(i, w - 1));

@@ -7,8 +7,8 @@ use glam::DVec3;
 use gusset::Job;
 use gusset::mesh::Scalar;
 use gusset::net::complex::Complex;
-use gusset::net::topology::{CellDiagonal, Gluing, Run, occurrences};
-use gusset::net::{Classes, Matrix, Net, Seam, Shape, Sides, Topology, detect_gluing};
+use gusset::net::topology::{CellDiagonal, Gluing, SeamRun, occurrences};
+use gusset::net::{Classes, LinkMatrix, Net, Seam, Shape, Sides, Topology, detect_gluing};
 
 /// Runs one case.
 pub(crate) fn run(bytes: &[u8]) {
@@ -33,7 +33,7 @@ pub(crate) fn run(bytes: &[u8]) {
         assert_eq!(euler, 2 * complex.components as i64 - 2 * genus - complex.boundary.len() as i64, "{gluings:?}");
     }
     let matrix = glued.matrix().expect("few nodes");
-    let again = Matrix::from_bytes(shape, &matrix.to_bytes(shape).expect("few nodes")).expect("its own bytes");
+    let again = LinkMatrix::from_bytes(shape, &matrix.to_bytes(shape).expect("few nodes")).expect("its own bytes");
     assert!(matrix.links().eq(again.links()));
     let _ = (glued.unglued(&gluings), agreed(choice, |job| occurrences(&glued, false, job)));
     // Each class in a place of its own.
@@ -59,7 +59,7 @@ fn gluing([kind, a, b, c, d, e]: [u8; 6]) -> Gluing {
             diagonal: if b % 2 == 0 { CellDiagonal::Falling } else { CellDiagonal::Rising },
         },
         _ => {
-            let run = |row: u8, column: u8| Run {
+            let run = |row: u8, column: u8| SeamRun {
                 row: u32::from(row % 8),
                 column: u32::from(column % 8),
                 row_step: i32::from(row / 8 % 3) - 1,

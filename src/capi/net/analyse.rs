@@ -8,12 +8,12 @@ use crate::capi::net::field::{Given, fields, gusset_field};
 use crate::capi::net::{gusset_net, read};
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Result;
-use crate::net::analyse::{Analysis, analyse, analyse_field};
+use crate::net::analyse::{DeformationAnalysis, analyse, analyse_field};
 use gusset_base::alloc;
 
 /// Effects of a deformation on a net.
 pub struct gusset_net_analysis {
-    analysis: Analysis,
+    analysis: DeformationAnalysis,
     contracted: Vec<u32>,
     stars: Vec<u32>,
 }
@@ -21,7 +21,7 @@ pub struct gusset_net_analysis {
 handle! { gusset_net_analysis }
 
 impl gusset_net_analysis {
-    fn new(analysis: Analysis) -> Result<Self> {
+    fn new(analysis: DeformationAnalysis) -> Result<Self> {
         let contracted = alloc::collect(analysis.contracted.iter().map(|found| found.link))?;
         let stars = alloc::collect(analysis.contracted.iter().map(|found| found.star.number() as u32))?;
         Ok(gusset_net_analysis { analysis, contracted, stars })
@@ -141,7 +141,7 @@ pub unsafe extern "C" fn gusset_net_analysis_get_view(
     view: *mut gusset_net_analysis_view,
 ) -> gusset_status {
     lend!(analysis, view, |gusset_net_analysis { analysis, contracted, stars }| {
-        let Analysis { links, cells, determinants, torn, folded, .. } = analysis;
+        let DeformationAnalysis { links, cells, determinants, torn, folded, .. } = analysis;
         gusset_net_analysis_view {
             struct_size: 0,
             links: lent(links),

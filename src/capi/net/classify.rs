@@ -9,7 +9,7 @@ use crate::capi::net::glue::{GUSSET_TYPE_NONE, gusset_gluing_type};
 use crate::capi::net::{gusset_net, read};
 use crate::capi::status::{Failure, gusset_status};
 use crate::net::Classes;
-use crate::net::topology::{GluingType, Groups, Occurrence, occurrences};
+use crate::net::topology::{GluingOccurrence, GluingType, Groups, occurrences};
 
 /// Returns the caller's number of a type.
 fn number(found: Option<GluingType>) -> gusset_gluing_type {
@@ -37,7 +37,7 @@ pub unsafe extern "C" fn gusset_net_classes(
         let net = read(net)?;
         fill((classes, capacity, "classes"), net.shape().node_count(), written?, job, || {
             let classes = Classes::new_cancellable(net.topology(), &job.part(0.0, 0.8), "classes")?;
-            Ok(classes.table_cancellable(&job.part(0.8, 1.0), "classes")?)
+            Ok(classes.representatives_cancellable(&job.part(0.8, 1.0), "classes")?)
         })
     })
 }
@@ -191,8 +191,8 @@ pub struct gusset_gluing_occurrence {
 
 fixed! { gusset_gluing_occurrence: 32 }
 
-impl From<&Occurrence> for gusset_gluing_occurrence {
-    fn from(found: &Occurrence) -> Self {
+impl From<&GluingOccurrence> for gusset_gluing_occurrence {
+    fn from(found: &GluingOccurrence) -> Self {
         gusset_gluing_occurrence {
             place: if found.on_cell { GUSSET_GLUING_PLACE_CELL } else { GUSSET_GLUING_PLACE_NODE },
             element: found.element,

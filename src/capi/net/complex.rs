@@ -141,7 +141,7 @@ pub unsafe extern "C" fn gusset_net_complex_get_view(
             reserved: 0,
             boundary_offsets: gusset_indices::lend(c.boundary.offsets()),
             boundary_nodes: gusset_indices::lend(c.boundary.nodes()),
-            boundary_open: gusset_indices::lend(c.boundary.open()),
+            boundary_open: gusset_indices::lend(c.boundary.open_chains()),
             wires: gusset_indices::lend(c.wires.as_flattened()),
             branches: gusset_indices::lend(c.branches.as_flattened()),
             pinches: gusset_indices::lend(&c.pinches),

@@ -191,7 +191,7 @@ impl gusset_field {
         if !time.is_finite() {
             return Err(Error::OptionOutOfRange { option: "time", value: time }.into());
         }
-        Ok(self.strength * Timed::new(&keys, choice(self.easing)?)?.strength(time))
+        Ok(self.strength * TimedStrength::new(&keys, choice(self.easing)?)?.strength(time))
     }
 }
 

@@ -8,7 +8,7 @@ use crate::capi::net::{edit, gusset_net, read};
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Error;
 use crate::net::MAX_NODES;
-use crate::net::glue::{self, GlueOptions, reglued};
+use crate::net::glue::{self, GlueOptions, find_gluing};
 use crate::net::topology::{CellDiagonal, Gluing, GluingType};
 use gusset_base::alloc;
 
@@ -182,8 +182,9 @@ pub unsafe extern "C" fn gusset_net_glue(
         let gluings = gluings(options.gluings, options.gluing_count)?;
         Error::check_count("links", options.link_count as u64, 2 * MAX_NODES)?;
         let links = input::list(options.links, options.link_count, "links")?;
-        let topology = reglued(read(net)?, &GlueOptions { detect, gluings: &gluings, links: &links, saturate }, job)?;
-        input::set(moved, glue::reglue(edit(net, job)?, topology, snap, job)?);
+        let topology =
+            find_gluing(read(net)?, &GlueOptions { detect, gluings: &gluings, links: &links, saturate }, job)?;
+        input::set(moved, glue::set_gluing(edit(net, job)?, topology, snap, job)?);
         Ok(())
     })
 }

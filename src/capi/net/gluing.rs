@@ -7,8 +7,8 @@ use crate::capi::net::net_handle::{gusset_net, read, reglue};
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Error;
 use crate::job::Job;
-use crate::net::topology::{Links, Run};
-use crate::net::{MAX_NODES, Matrix, Seam, Shape, Sides, Topology};
+use crate::net::topology::{ContractedLinks, SeamRun};
+use crate::net::{LinkMatrix, MAX_NODES, Seam, Shape, Sides, Topology};
 use gusset_base::alloc;
 use std::ptr;
 
@@ -120,7 +120,7 @@ pub(crate) fn seam(seam: &gusset_seam) -> Result<Seam, Failure> {
     if seam.reserved != 0 {
         return Err(Failure::unknown("reserved", seam.reserved.into()));
     }
-    let run = |row, column, row_step, column_step| Run { row, column, row_step, column_step };
+    let run = |row, column, row_step, column_step| SeamRun { row, column, row_step, column_step };
     Ok(Seam {
         a: run(seam.row_a, seam.column_a, seam.row_step_a, seam.column_step_a),
         b: run(seam.row_b, seam.column_b, seam.row_step_b, seam.column_step_b),
@@ -156,12 +156,12 @@ impl From<&Seam> for gusset_seam {
 pub(crate) fn topology(shape: Shape, gluing: *const gusset_net_gluing, job: &Job<'_>) -> Result<Topology, Failure> {
     let gluing = input::read(gluing, true, "gluing")?;
     let links = if gluing.matrix.is_null() {
-        Links::Sides(sides(gluing.sides)?)
+        ContractedLinks::Sides(sides(gluing.sides)?)
     } else if gluing.sides != 0 {
         return Err(Failure::unknown("sides, beside a matrix,", gluing.sides.into()));
     } else {
         let bytes = input::bytes(gluing.matrix.cast(), 2 * shape.node_count(), 1, "matrix")?;
-        Links::Matrix(Matrix::from_bytes(shape, bytes)?)
+        ContractedLinks::Matrix(LinkMatrix::from_bytes(shape, bytes)?)
     };
     let seams = seams(gluing.seams, gluing.seam_count)?;
     Ok(Topology::new_cancellable(shape, links, &seams, job, "gluing")?

@@ -12,7 +12,7 @@ use crate::capi::status::{Failure, gusset_status};
 use crate::job::Job;
 use crate::mesh::Scalar;
 use crate::net::convert::{Diagonal, Heights, MeshOptions, net_of_grid, net_of_heights, net_of_triangles};
-use crate::net::{Coordinates, Net, Planes, Real, Shape};
+use crate::net::{Coordinates, Net, Real, Shape, XyzMatrices};
 use gusset_base::alloc;
 use gusset_base::geom::strided::Strided;
 use std::ffi::c_void;
@@ -239,7 +239,7 @@ fn values<T: Real>(shape: Shape, heights: &gusset_heights) -> Result<Vec<T>, Fai
 
 fn from_heights<T: Real>(heights: &gusset_heights, job: &Job<'_>) -> Result<Net<'static>, Failure>
 where
-    Coordinates<'static>: From<Planes<'static, T>>,
+    Coordinates<'static>: From<XyzMatrices<'static, T>>,
 {
     let shape = Shape::new(heights.rows, heights.columns)?;
     let has_no_data = flag(heights.has_no_data, "has_no_data")?;

@@ -33,7 +33,7 @@ use crate::capi::status::{Failure, gusset_status};
 use crate::error::Error;
 use crate::job::Job;
 use crate::mesh::Scalar;
-use crate::net::{Coordinates, Net, Planes, Real, Shape, each};
+use crate::net::{Coordinates, Net, Real, Shape, XyzMatrices, each};
 use std::ffi::c_void;
 
 pub use net_handle::gusset_net;
@@ -122,10 +122,10 @@ fn rows_per_report(shape: Shape) -> usize {
 }
 
 /// Copies the caller's matrices, which may have any alignment.
-fn copied<T: Real>(shape: Shape, arrays: &gusset_net_view, job: &Job<'_>) -> Result<Planes<'static, T>, Failure> {
+fn copied<T: Real>(shape: Shape, arrays: &gusset_net_view, job: &Job<'_>) -> Result<XyzMatrices<'static, T>, Failure> {
     let size = size_of::<T>();
     let layout = Layout::new(shape, arrays, size)?;
-    let mut planes = Planes::zeroed(shape)?;
+    let mut planes = XyzMatrices::zeroed(shape)?;
     for (axis, (from, name)) in [(arrays.x, "x"), (arrays.y, "y"), (arrays.z, "z")].into_iter().enumerate() {
         let (from, job) = (input::bytes(from, layout.span, 1, name)?, job.share(axis, 3));
         for i in 0..shape.rows() {
@@ -144,7 +144,7 @@ fn copied<T: Real>(shape: Shape, arrays: &gusset_net_view, job: &Job<'_>) -> Res
 }
 
 /// Borrows the caller's matrices.
-fn borrowed<T: Real>(shape: Shape, arrays: &gusset_net_view) -> Result<Planes<'static, T>, Failure> {
+fn borrowed<T: Real>(shape: Shape, arrays: &gusset_net_view) -> Result<XyzMatrices<'static, T>, Failure> {
     let size = size_of::<T>();
     let layout = Layout::new(shape, arrays, size)?;
     if layout.column != size || !layout.row.is_multiple_of(size) {
@@ -157,7 +157,7 @@ fn borrowed<T: Real>(shape: Shape, arrays: &gusset_net_view) -> Result<Planes<'s
     }
     let matrix = |data: *mut c_void, name| input::results::<T>(data.cast(), layout.span / size, name);
     let matrices = [matrix(arrays.x, "x")?, matrix(arrays.y, "y")?, matrix(arrays.z, "z")?];
-    Ok(Planes::borrowed(shape, layout.row / size, matrices)?)
+    Ok(XyzMatrices::borrowed(shape, layout.row / size, matrices)?)
 }
 
 /// Copies coordinates to the caller's matrices, which may have any alignment.
@@ -229,7 +229,7 @@ fn net_of(
         arrays: &gusset_net_view,
         borrow: bool,
         job: &Job<'_>,
-    ) -> Result<Planes<'static, T>, Failure> {
+    ) -> Result<XyzMatrices<'static, T>, Failure> {
         if borrow { borrowed(shape, arrays) } else { copied(shape, arrays, job) }
     }
     let (arrays, shape) = read_view(view)?;

@@ -7,11 +7,15 @@ use crate::capi::status::gusset_status::{GUSSET_ERROR_BUFFER_TOO_SMALL, GUSSET_E
 use crate::capi::status::{Failure, gusset_status};
 use crate::mesh::Scalar;
 use crate::net::normals::normals_into;
-use crate::net::{Coordinates, Net, Planes, Real, each};
+use crate::net::{Coordinates, Net, Real, XyzMatrices, each};
 use std::ffi::c_void;
 
 /// Returns the caller's buffers as matrices of the net's size.
-fn planes<T: Real>(net: &Net<'_>, buffers: [*mut c_void; 3], capacity: usize) -> Result<Planes<'static, T>, Failure> {
+fn planes<T: Real>(
+    net: &Net<'_>,
+    buffers: [*mut c_void; 3],
+    capacity: usize,
+) -> Result<XyzMatrices<'static, T>, Failure> {
     let count = net.shape().node_count();
     if capacity < count {
         let message = format!("x, y and z have room for {capacity} numbers, but {count} are needed");
@@ -20,7 +24,7 @@ fn planes<T: Real>(net: &Net<'_>, buffers: [*mut c_void; 3], capacity: usize) ->
     check_overlap(net, buffers, count * size_of::<T>())?;
     let [x, y, z] = buffers.map(<*mut c_void>::cast::<T>);
     let matrices = [input::results(x, count, "x")?, input::results(y, count, "y")?, input::results(z, count, "z")?];
-    Ok(Planes::borrowed(net.shape(), 0, matrices)?)
+    Ok(XyzMatrices::borrowed(net.shape(), 0, matrices)?)
 }
 
 /// Checks that the buffers do not overlap each other or the coordinates, which may have been lent

@@ -5,7 +5,7 @@ use crate::capi::glue::{c_enum, fixed};
 use crate::capi::input::{self, choice};
 use crate::capi::net::{edit, gusset_net};
 use crate::capi::status::{Failure, gusset_status};
-use crate::net::transform::{Affine, Axis, Sense, transform};
+use crate::net::transform::{Affine, Axis, RotationSense, transform};
 use glam::DVec3;
 
 /// Coordinate axis.
@@ -69,8 +69,10 @@ impl gusset_operation {
         }
         Ok(match self.kind {
             GUSSET_OPERATION_TRANSLATE => Affine::translation(vector(v))?,
-            GUSSET_OPERATION_ROTATE => Affine::rotation(vector(v), v[3], vector(&v[4..]), Sense::RightHanded)?,
-            GUSSET_OPERATION_ROTATE_AS_PRINTED => Affine::rotation(vector(v), v[3], vector(&v[4..]), Sense::AsPrinted)?,
+            GUSSET_OPERATION_ROTATE => Affine::rotation(vector(v), v[3], vector(&v[4..]), RotationSense::RightHanded)?,
+            GUSSET_OPERATION_ROTATE_AS_PRINTED => {
+                Affine::rotation(vector(v), v[3], vector(&v[4..]), RotationSense::AsPrinted)?
+            }
             GUSSET_OPERATION_SCALE => Affine::scaling(v[0])?,
             GUSSET_OPERATION_COMPRESS => Affine::compression(choice(self.axis)?, v[0])?,
             GUSSET_OPERATION_STRETCH => Affine::stretching(vector(v))?,

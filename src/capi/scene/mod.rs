@@ -13,7 +13,7 @@ use crate::capi::status::{Failure, gusset_status};
 use crate::capi::transform::gusset_transform;
 use crate::job::Job;
 use crate::net::Net;
-use crate::net::scene::{Content, EntryChanges, Scene};
+use crate::net::scene::{EntryChanges, EntryContent, Scene};
 use std::sync::Arc;
 
 /// Kind of a scene entry.
@@ -249,8 +249,8 @@ pub unsafe extern "C" fn gusset_scene_get_entry(
 ) -> gusset_status {
     lend!(scene, report, |gusset_scene(scene)| {
         let (kind, child_count) = match scene.content(entry)? {
-            Content::Net(_) => (GUSSET_SCENE_NET, 0),
-            Content::Group(children) => (GUSSET_SCENE_GROUP, children.len()),
+            EntryContent::Net(_) => (GUSSET_SCENE_NET, 0),
+            EntryContent::Group(children) => (GUSSET_SCENE_GROUP, children.len()),
         };
         let (transform, visible) = (scene.transform(entry)?.into(), scene.is_visible(entry)?.into());
         gusset_scene_entry_report {

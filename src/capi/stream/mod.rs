@@ -8,7 +8,7 @@ use crate::capi::mesh::gusset_scalar;
 use crate::capi::net::{gusset_net, read};
 use crate::capi::status::{Failure, gusset_status};
 use crate::net::MAX_NODES;
-use crate::net::stream::{Mode, StreamDecoder, StreamInfo, StreamOptions, decode_within, encode};
+use crate::net::stream::{StreamDecoder, StreamInfo, StreamMode, StreamOptions, decode_within, encode};
 use std::ffi::c_void;
 use std::ptr;
 
@@ -97,15 +97,15 @@ versioned! { gusset_stream_options: 32 reserved, gusset_stream_report: 104, guss
 impl gusset_stream_options {
     fn checked(self) -> Result<StreamOptions, Failure> {
         let mode = match (self.mode, self.bits) {
-            (GUSSET_STREAM_QUANTISED, 0) => Mode::Quantised { bits: 14 },
-            (GUSSET_STREAM_QUANTISED, bits) => Mode::Quantised { bits },
-            (GUSSET_STREAM_LOSSLESS, 0) => Mode::Lossless,
-            (GUSSET_STREAM_RAW, 0) => Mode::Raw,
+            (GUSSET_STREAM_QUANTISED, 0) => StreamMode::Quantised { bits: 14 },
+            (GUSSET_STREAM_QUANTISED, bits) => StreamMode::Quantised { bits },
+            (GUSSET_STREAM_LOSSLESS, 0) => StreamMode::Lossless,
+            (GUSSET_STREAM_RAW, 0) => StreamMode::Raw,
             (GUSSET_STREAM_LOSSLESS | GUSSET_STREAM_RAW, bits) => return Err(Failure::unknown("bits", bits.into())),
             (other, _) => return Err(Failure::unknown("mode", other.into())),
         };
         let per_axis = flag(self.per_axis, "per_axis")?;
-        if per_axis && !matches!(mode, Mode::Quantised { .. }) {
+        if per_axis && !matches!(mode, StreamMode::Quantised { .. }) {
             return Err(Failure::unknown("per_axis", self.per_axis.into()));
         }
         Ok(StreamOptions { mode, per_axis, rows_per_block: self.rows_per_block })
@@ -173,9 +173,9 @@ pub unsafe extern "C" fn gusset_stream_inspect(
     answer_struct(context, (report, "report"), |_| {
         let info = StreamInfo::read(input::bytes(data, size, 1, "data")?)?;
         let (mode, bits) = match info.mode {
-            Mode::Quantised { bits } => (GUSSET_STREAM_QUANTISED, bits),
-            Mode::Lossless => (GUSSET_STREAM_LOSSLESS, 0),
-            Mode::Raw => (GUSSET_STREAM_RAW, 0),
+            StreamMode::Quantised { bits } => (GUSSET_STREAM_QUANTISED, bits),
+            StreamMode::Lossless => (GUSSET_STREAM_LOSSLESS, 0),
+            StreamMode::Raw => (GUSSET_STREAM_RAW, 0),
         };
         Ok(gusset_stream_report {
             struct_size: 0,

@@ -12,8 +12,8 @@ mod rearranged_matrices;
 mod rearranged_topology;
 mod seams;
 
-pub(crate) use rearranged_matrices::{Rearrangement, build_planes, rearrange};
-pub(crate) use rearranged_topology::closed_rows;
+pub(crate) use rearranged_matrices::{Rearrangement, build_planes, rearrange_coordinates};
+pub(crate) use rearranged_topology::rows_closed_by_seam;
 pub(crate) use seams::{map_seam, merge_seams};
 
 use super::{Bridge, Direction, Net, Shape, Topology};
@@ -61,7 +61,7 @@ impl Net<'_> {
         }
         // The error then names both numbers.
         Shape::new(rows.len(), columns.len())?;
-        let topology = topology_part(self.topology(), &rows, &columns)?;
+        let topology = restrict_topology(self.topology(), &rows, &columns)?;
         topology.check_crossings()?;
         let map = Rearrangement::Part { row: rows.start, column: columns.start };
         let mut part = self.rearranged(&map, topology, job)?;
@@ -79,7 +79,8 @@ impl Net<'_> {
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn transposed(&self, job: &Job<'_>) -> Result<Net<'static>> {
         let mut net = self.rearranged(&Rearrangement::Transposed, self.topology().transposed()?, job)?;
-        let transpose = |bridge: &Bridge| Bridge { direction: bridge.direction.transposed(), ..bridge.unadapted() };
+        let transpose =
+            |bridge: &Bridge| Bridge { direction: bridge.direction.transposed(), ..bridge.without_adaptations() };
         *net.bridges_mut() = alloc::collect(self.bridges().iter().map(transpose))?;
         Ok(net)
     }
@@ -131,20 +132,20 @@ impl Net<'_> {
     /// Rearranges the nodes under a new topology, without bridges.
     pub(crate) fn rearranged(
         &self,
-        map: &Rearrangement<'_>,
+        rearrangement: &Rearrangement<'_>,
         topology: Topology,
         job: &Job<'_>,
     ) -> Result<Net<'static>> {
-        Ok(Net::new(rearrange(self.coordinates(), topology.shape(), map, job)?, topology))
+        Ok(Net::new(rearrange_coordinates(self.coordinates(), topology.shape(), rearrangement, job)?, topology))
     }
 }
 
 /// Returns the topology within a rectangle, without a check for crossed cells.
-fn topology_part(topology: &Topology, rows: &Range<usize>, columns: &Range<usize>) -> Result<Topology> {
+fn restrict_topology(topology: &Topology, rows: &Range<usize>, columns: &Range<usize>) -> Result<Topology> {
     let cut = |topology: &Topology, range: &Range<usize>| -> Result<Topology> {
         match range.len() == topology.shape().rows() {
             true => Ok(topology.clone()),
-            false => Ok(topology.rows_cut(std::slice::from_ref(range))?.swap_remove(0)),
+            false => Ok(topology.cut_into_row_ranges(std::slice::from_ref(range))?.swap_remove(0)),
         }
     };
     let topology = cut(topology, rows)?;
@@ -157,14 +158,14 @@ fn topology_part(topology: &Topology, rows: &Range<usize>, columns: &Range<usize
 impl Bridge {
     /// Returns the bridge without the adaptations of its nets, which become invalid once nodes
     /// move.
-    pub(crate) fn unadapted(&self) -> Bridge {
+    pub(crate) fn without_adaptations(&self) -> Bridge {
         Bridge { adaptations: [None, None], ..self.clone() }
     }
 
     /// Returns the bridge in a net whose rows (`Down`) or columns are reversed.
     fn flipped(&self, axis: Direction, shape: Shape) -> Bridge {
-        let count = axis.extent(shape).0 as u32;
-        let bridge = self.unadapted();
+        let count = axis.extents_along_and_across(shape).0 as u32;
+        let bridge = self.without_adaptations();
         if self.direction == axis {
             Bridge { at: count - self.first_side() - 1, ..bridge }
         } else {
@@ -183,7 +184,7 @@ impl Bridge {
             return None;
         }
         let whole = (start, end, first, last) == (self.start as usize, self.end as usize, side, at);
-        let bridge = if whole { self.clone() } else { self.unadapted() };
+        let bridge = if whole { self.clone() } else { self.without_adaptations() };
         let (start, end) = ((start - along.start) as u32, (end - along.start) as u32);
         let (at, rows) = ((last - across.start) as u32, (last - first - 1) as u32);
         Some(Bridge { at, rows, start, end, ..bridge })

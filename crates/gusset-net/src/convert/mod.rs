@@ -8,9 +8,9 @@ mod grid;
 mod heights;
 mod mesh;
 mod triangles;
-mod used_links;
+mod glued_edges;
 
-pub use grid::{GridNet, net_of_grid};
+pub use grid::{RecognisedNet, net_of_grid};
 pub use heights::{Heights, net_of_heights};
 pub use mesh::{Diagonal, MeshOptions, NetMesh, Texture};
 pub use triangles::net_of_triangles;

@@ -71,7 +71,7 @@ impl Sides {
     }
 
     /// Returns the contracted links, each once, only at the sides: O(H + W) of them.
-    pub(crate) fn links(self, shape: Shape) -> impl Iterator<Item = u32> {
+    pub(crate) fn contracted_links(self, shape: Shape) -> impl Iterator<Item = u32> {
         let (h, w) = (shape.rows(), shape.columns());
         let when = |condition: bool, count: usize| 0..if condition { count } else { 0 };
         when(self.rows_closed, h)

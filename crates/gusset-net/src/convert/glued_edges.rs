@@ -10,14 +10,14 @@ use gusset_base::job::Job;
 use std::collections::HashSet;
 
 /// The edges with at least one glued end.
-pub(super) struct UsedLinks {
+pub(super) struct GluedEdges {
     /// For each node whether its class has others.
     is_glued: Vec<bool>,
     /// The edges of the net's links, and the diagonals chosen so far.
     edges: HashSet<[u32; 2]>,
 }
 
-impl UsedLinks {
+impl GluedEdges {
     /// Returns the edges of the links. O(nodes).
     pub(super) fn new(shape: Shape, classes: &[u32], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut is_glued = alloc::filled(false, classes.len())?;
@@ -27,7 +27,7 @@ impl UsedLinks {
             }
             Ok(())
         })?;
-        let mut used = UsedLinks { is_glued, edges: HashSet::new() };
+        let mut used = GluedEdges { is_glued, edges: HashSet::new() };
         job.part(0.3, 1.0).ranges(stage, 2 * classes.len(), |range| {
             for link in range.map(|link| link as u32).filter(|&link| shape.is_inner(link)) {
                 let ends = shape.ends(link);
