@@ -1,8 +1,8 @@
 //! Gluing in one step: by coordinates, by pairs of nodes, by links, in canonical form, with
 //! positions.
 //!
-//! [`find_gluing`] finds the new gluing before [`set_gluing`] sets it, so that a net changes as a whole or
-//! not at all.
+//! [`find_gluing`] finds the new gluing before [`set_gluing`] sets it, so that a net changes as a
+//! whole or not at all.
 
 use super::Net;
 use super::analyse::absorb;

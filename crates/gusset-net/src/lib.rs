@@ -46,7 +46,6 @@ mod model;
 mod morph;
 pub mod normals;
 pub mod planarise;
-mod xyz_matrices;
 pub mod primitive;
 mod real;
 mod reformat;
@@ -59,6 +58,7 @@ pub mod stream;
 pub mod topology;
 pub mod transform;
 mod validate;
+mod xyz_matrices;
 
 pub use arrange::Turn;
 pub use bridge::{Bridge, BridgeKind, BridgeMode, BridgeProperties};

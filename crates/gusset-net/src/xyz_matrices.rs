@@ -63,8 +63,8 @@ impl<'a, T: Real> XyzMatrices<'a, T> {
     /// Creates owned matrices in a single write: `write` fills X, Y and Z (0, 1, 2) in order, some
     /// rows at a time.
     ///
-    /// [`XyzMatrices::zeroed`] would have to clear recycled memory, which takes as long as copying to
-    /// it. Here rows pass through a buffer that stays in the cache.
+    /// [`XyzMatrices::zeroed`] would have to clear recycled memory, which takes as long as copying
+    /// to it. Here rows pass through a buffer that stays in the cache.
     pub(crate) fn from_rows(shape: Shape, mut write_rows: impl FnMut(usize, Range<usize>, &mut [T])) -> Result<Self> {
         let (rows, columns, per_chunk) = (shape.rows(), shape.columns(), size_of::<AlignedChunk>() / size_of::<T>());
         let each = shape.node_count().div_ceil(CHUNKS_PER_CACHE_LINE * per_chunk) * CHUNKS_PER_CACHE_LINE;

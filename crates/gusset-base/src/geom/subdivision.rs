@@ -127,15 +127,15 @@ pub struct UnresolvedCluster {
 }
 
 /// Boxes examined between two progress reports.
-const BOXES_PER_REPORT: usize = 1 << 11;
+const CLUSTERED_BOXES_PER_REPORT: usize = 1 << 11;
 
 /// The growth of boxes in tests of contact, which absorbs rounding.
-const GROWTH: f64 = 1.000_001;
+const CONTACT_GROWTH_FACTOR: f64 = 1.000_001;
 
 impl UnresolvedBox {
     #[inline]
     pub fn touches(&self, other: &UnresolvedBox) -> bool {
-        let gap = (self.middle - other.middle).abs() - GROWTH * (self.half + other.half);
+        let gap = (self.middle - other.middle).abs() - CONTACT_GROWTH_FACTOR * (self.half + other.half);
         gap.max_element() <= 0.0
     }
 }
@@ -152,14 +152,14 @@ pub fn cluster(
     // first box.
     let ends = |k: u32| {
         let UnresolvedBox { middle, half, .. } = boxes[k as usize];
-        [middle.x - GROWTH * half.x, middle.x + GROWTH * half.x]
+        [middle.x - CONTACT_GROWTH_FACTOR * half.x, middle.x + CONTACT_GROWTH_FACTOR * half.x]
     };
     let mut order = alloc::collect(0..boxes.len() as u32)?;
     sort::stable(&mut order, &|&a, &b| ends(a)[0].total_cmp(&ends(b)[0]).then(a.cmp(&b)));
     let mut sets = DisjointSets::new(boxes.len())?;
     let mut active: Vec<u32> = alloc::with_capacity(boxes.len())?;
     for (place, &k) in order.iter().enumerate() {
-        if place.is_multiple_of(BOXES_PER_REPORT) {
+        if place.is_multiple_of(CLUSTERED_BOXES_PER_REPORT) {
             ask()?;
         }
         // The ends are rounded, so keep boxes that just touch.

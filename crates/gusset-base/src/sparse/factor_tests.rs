@@ -1,10 +1,10 @@
 //! The sparse factor against dense elimination, on random matrices.
 
-use super::factor::Factor;
-use super::front::LANES;
+use super::elimination_tree::{elimination_tree_parents, factor_column_counts};
+use super::factor::CholeskyFactor;
+use super::frontal_matrix::ROWS_PER_BLOCK;
 use super::supernodes::Supernodes;
-use super::symmetric::Symmetric;
-use super::tree::{column_counts, parents};
+use super::symmetric::SparseSymmetric;
 use crate::{Error, Job, Progress};
 use glam::DVec3;
 use std::cell::Cell;
@@ -14,8 +14,8 @@ use std::ops::ControlFlow;
 type Dense = Vec<Vec<f64>>;
 
 /// Returns the sparse form of a dense symmetric matrix: all its non-zero entries.
-fn sparse(a: &Dense) -> Symmetric {
-    let mut matrix = Symmetric { start: vec![0], entries: Vec::new(), diagonal: Vec::new() };
+fn sparse(a: &Dense) -> SparseSymmetric {
+    let mut matrix = SparseSymmetric { start: vec![0], entries: Vec::new(), diagonal: Vec::new() };
     for (k, row) in a.iter().enumerate() {
         matrix.entries.extend((0..k).filter(|&i| row[i] != 0.0).map(|i| (i as u32, row[i])));
         matrix.start.push(matrix.entries.len());
@@ -99,7 +99,7 @@ fn right_side(n: usize, random: &mut fastrand::Rng) -> Vec<DVec3> {
     (0..n).map(|_| DVec3::new(random.f64(), random.f64(), random.f64()) - 0.5).collect()
 }
 
-fn factor(a: &Dense) -> Factor {
+fn factor(a: &Dense) -> CholeskyFactor {
     sparse(a).factor(&Job::default()).unwrap()
 }
 
@@ -116,16 +116,17 @@ fn assert_close(found: &[DVec3], expected: &[DVec3], tolerance: f64, what: &str)
 }
 
 /// L as a dense matrix, in the order of elimination.
-fn unpacked(factor: &Factor) -> Dense {
+fn unpacked(factor: &CholeskyFactor) -> Dense {
     let n = factor.inverse.len();
     let mut lower = zeros(n);
     let mut used = 0;
     for s in 0..factor.supernodes.len() {
         let columns = factor.supernodes.columns(s);
-        let rows: Vec<_> = columns.clone().chain(factor.supernodes.rows(s).iter().map(|&row| row as usize)).collect();
-        for (b, count) in factor.blocks(s).enumerate() {
+        let rows: Vec<_> =
+            columns.clone().chain(factor.supernodes.rows_below(s).iter().map(|&row| row as usize)).collect();
+        for (b, count) in factor.columns_of_blocks(s).enumerate() {
             for (k, lanes) in columns.clone().zip(&factor.entries[used..used + count]) {
-                for (&row, &entry) in rows[LANES * b..].iter().zip(lanes) {
+                for (&row, &entry) in rows[ROWS_PER_BLOCK * b..].iter().zip(lanes) {
                     assert!(row > k || entry == 0.0, "above the diagonal");
                     lower[row][k] = entry;
                 }
@@ -264,9 +265,9 @@ fn counts_and_groups_agree_with_the_pattern() {
             }
         }
         let matrix = sparse(&a);
-        let below = matrix.below(&Job::default()).unwrap();
-        let parent = parents(&matrix, &Job::default()).unwrap();
-        let counts = column_counts(&below, &parent, &Job::default()).unwrap();
+        let below = matrix.entries_below_diagonal(&Job::default()).unwrap();
+        let parent = elimination_tree_parents(&matrix, &Job::default()).unwrap();
+        let counts = factor_column_counts(&below, &parent, &Job::default()).unwrap();
         for k in 0..n {
             let rows: Vec<_> = (k + 1..n).filter(|&i| pattern[i][k]).collect();
             assert_eq!(counts[k] as usize, 1 + rows.len(), "{name}: column {k}");
@@ -278,13 +279,13 @@ fn counts_and_groups_agree_with_the_pattern() {
             let columns = groups.columns(s);
             assert_eq!(columns.start, next, "{name}");
             next = columns.end;
-            assert!(groups.rows(s).is_sorted_by(|i, j| i < j), "{name}");
+            assert!(groups.rows_below(s).is_sorted_by(|i, j| i < j), "{name}");
             for k in columns.clone() {
-                let has = |row: &usize| columns.contains(row) || groups.rows(s).contains(&(*row as u32));
+                let has = |row: &usize| columns.contains(row) || groups.rows_below(s).contains(&(*row as u32));
                 let old = groups.order[k] as usize;
                 let mut rows = (0..n).filter(|&i| i > old && pattern[i][old]).map(|i| groups.place[i] as usize);
                 assert!(rows.all(|row| row > k && has(&row)), "{name}: column {k}");
-                stored += columns.end - k + groups.rows(s).len();
+                stored += columns.end - k + groups.rows_below(s).len();
             }
         }
         let entries: usize = counts.iter().map(|&count| count as usize).sum();
@@ -313,7 +314,7 @@ fn progress_is_reported_regularly() {
     let n = if cfg!(debug_assertions) { 72 } else { 120 };
     let mut columns = vec![BTreeMap::<usize, f64>::new(); n * n];
     grid_terms(n, n).into_iter().for_each(|(i, j, value)| *columns[j].entry(i).or_default() += value);
-    let mut a = Symmetric { start: vec![0], entries: Vec::new(), diagonal: Vec::new() };
+    let mut a = SparseSymmetric { start: vec![0], entries: Vec::new(), diagonal: Vec::new() };
     for (k, column) in columns.iter().enumerate() {
         a.entries.extend(column.range(..k).map(|(&i, &value)| (i as u32, value)));
         a.start.push(a.entries.len());

@@ -3,8 +3,8 @@
 //! net does not glue, see [`analyse`](crate::analyse). O(1) a node.
 //!
 //! At strength t, a sheet in the plane of height 0 is bent to t times the final curvature, and arcs
-//! keep their lengths. [`roll_line_to_arc`] bends a line. Each wrap consists of one or two rolls and a rigid
-//! motion, which preserves lengths.
+//! keep their lengths. [`roll_line_to_arc`] bends a line. Each wrap consists of one or two rolls
+//! and a rigid motion, which preserves lengths.
 
 use super::map::{
     Field, PartialField, Points, check_parameters_finite, interpolate_to_image, map_each_point, map_each_point_simd,

@@ -10,7 +10,7 @@
 //! lines between its sides.
 //!
 //! `adapt` fits nets to each other, `joined_topology` joins gluings, `joined_matrices` joins
-//! coordinates, and `inner` lays inner rows.
+//! coordinates, and `inner_rows` lays inner rows.
 
 mod adapt;
 mod inner_rows;

@@ -9,7 +9,7 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::sort::{self, Buckets};
-use gusset_base::sparse::Symmetric;
+use gusset_base::sparse::SparseSymmetric;
 
 /// Cells between two progress reports.
 const CELLS_PER_REPORT: usize = 1 << 14;
@@ -143,7 +143,7 @@ impl PlanarityConstraints {
     }
 
     /// J J^T + penalty: cells that share a vertex are coupled.
-    fn normal_matrix(&self, rows: &[LinearisedConstraint], penalty: f64, job: &Job<'_>) -> Result<Symmetric> {
+    fn normal_matrix(&self, rows: &[LinearisedConstraint], penalty: f64, job: &Job<'_>) -> Result<SparseSymmetric> {
         let n = rows.len();
         let (mut start, mut entries) = (alloc::with_capacity(n + 1)?, alloc::with_capacity(4 * n)?);
         start.push(0);
@@ -166,6 +166,6 @@ impl PlanarityConstraints {
             start.push(entries.len());
         }
         let diagonal = rows.iter().map(|row| if row.length.is_finite() { 1.0 + penalty } else { 0.0 });
-        Ok(Symmetric { start, entries, diagonal: alloc::collect(diagonal)? })
+        Ok(SparseSymmetric { start, entries, diagonal: alloc::collect(diagonal)? })
     }
 }

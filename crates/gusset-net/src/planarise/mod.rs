@@ -22,10 +22,10 @@
 //! entries a row: O(n^1.5) operations and O(n log n) memory for n cells. It runs on one thread.
 
 mod constraints;
-pub(crate) mod net_vertices;
 pub(crate) mod elimination_order;
-mod planarise_options;
+pub(crate) mod net_vertices;
 mod planar_search;
+mod planarise_options;
 
 use super::Net;
 use constraints::PlanarityConstraints;

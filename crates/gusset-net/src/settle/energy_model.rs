@@ -10,7 +10,7 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::sort::Buckets;
-use gusset_base::sparse::Symmetric;
+use gusset_base::sparse::SparseSymmetric;
 
 /// The fraction of the diagonal that is added to it, so that unconstrained unknowns stay.
 const RELATIVE_DAMPING: f64 = 1e-11;
@@ -101,7 +101,7 @@ impl EnergyModel {
         Ok(solution)
     }
 
-    fn system_matrix(&self, terms: &[QuadraticTerm], job: &Job<'_>) -> Result<Symmetric> {
+    fn system_matrix(&self, terms: &[QuadraticTerm], job: &Job<'_>) -> Result<SparseSymmetric> {
         let pairs = |term: &QuadraticTerm| {
             let unknowns = term.points.map(|point| self.unknown_of_point(point));
             let (factors, weight) = (term.factors, term.weight);
@@ -131,7 +131,7 @@ impl EnergyModel {
             }
             start.push(entries.len());
         }
-        Ok(Symmetric { start, entries, diagonal })
+        Ok(SparseSymmetric { start, entries, diagonal })
     }
 
     /// Returns the points and the motions after displacements, or after a fraction of them.

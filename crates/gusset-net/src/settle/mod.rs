@@ -29,15 +29,15 @@
 //! one thread.
 
 mod anderson;
-mod rotate_bodies;
 mod composite;
 mod descent;
 mod energy;
 mod energy_model;
 mod motion;
 mod parts;
-mod settle_options;
 mod quadratic_term;
+mod rotate_bodies;
+mod settle_options;
 
 use super::Net;
 use super::planarise::PlanariseOptions;

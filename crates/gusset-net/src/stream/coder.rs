@@ -1,7 +1,8 @@
 //! Entropy coding: the range coder of the crate `constriction` with adaptive models, and beside it
 //! a plain bit stream for incompressible bits.
 //!
-//! Invariant: one routine drives encoder and decoder through [`EntropyCoder`], so that they cannot differ.
+//! Invariant: one routine drives encoder and decoder through [`EntropyCoder`], so that they cannot
+//! differ.
 
 use super::symbol_model::{PROBABILITY_BITS, SymbolModel};
 use constriction::backends::{Cursor, WriteWords};

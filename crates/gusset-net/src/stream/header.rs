@@ -44,8 +44,8 @@ pub struct StreamInfo {
     pub rows_per_block: usize,
     /// For [`StreamMode::Quantised`], the coordinates of level 0.
     pub origin: [f64; 3],
-    /// For [`StreamMode::Quantised`], the distance of levels. The error of a coordinate is at most half
-    /// of it and half a unit in the last place.
+    /// For [`StreamMode::Quantised`], the distance of levels. The error of a coordinate is at most
+    /// half of it and half a unit in the last place.
     pub step: [f64; 3],
     /// Bytes before the first block.
     pub prelude_size: u64,

@@ -29,10 +29,10 @@
 mod block;
 mod bytes;
 mod coder;
-mod predictor_fit;
 mod header;
 mod levels;
 mod predictor;
+mod predictor_fit;
 mod quantise;
 mod raw_block;
 mod read;

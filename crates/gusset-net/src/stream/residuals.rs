@@ -39,7 +39,8 @@ impl ResidualCoder {
         Ok(ResidualCoder { models: alloc::collect((0..MAGNITUDE_CONTEXTS * RATIO_CLASSES).map(model))? })
     }
 
-    /// Codes a residual. `expected` is the expected magnitude in units of 1 / [`EXPECTATION_DENOMINATOR`].
+    /// Codes a residual. `expected` is the expected magnitude in units of 1 /
+    /// [`EXPECTATION_DENOMINATOR`].
     #[inline(always)]
     pub(super) fn code_residual<C: EntropyCoder>(
         &mut self,

@@ -19,7 +19,8 @@ const SAMPLING_STAGE: &str = "sampling the net";
 pub struct StreamOptions {
     /// The storage of coordinates.
     pub mode: StreamMode,
-    /// For [`StreamMode::Quantised`]: a step for each axis from its own extent, instead of a common one.
+    /// For [`StreamMode::Quantised`]: a step for each axis from its own extent, instead of a common
+    /// one.
     pub per_axis: bool,
     /// Rows in a block, which is coded independently; 0 for one block of a raw stream, and about
     /// 2^17 nodes a block otherwise.

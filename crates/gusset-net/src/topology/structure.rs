@@ -38,10 +38,10 @@ impl ContractedLinks {
 /// The gluing of a net: its contracted links and its seams.
 ///
 /// It is kept in normal form: links that sides can express are sides, seams that links can express
-/// are links, seams are sorted, and no cell is crossed (see [`ReducedCell::Crossing`](super::ReducedCell)).
-/// Two topologies are equal if they contract the same links by name, list the same seams and have
-/// the same face orientation. Different links and seams may glue the same nodes; compare
-/// [`Topology::saturated`] to detect that.
+/// are links, seams are sorted, and no cell is crossed (see
+/// [`ReducedCell::Crossing`](super::ReducedCell)). Two topologies are equal if they contract the
+/// same links by name, list the same seams and have the same face orientation. Different links and
+/// seams may glue the same nodes; compare [`Topology::saturated`] to detect that.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Topology {
     pub(super) shape: Shape,

@@ -8,7 +8,7 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::sort::Buckets;
-use gusset_base::sparse::{Coupling, Symmetric, dissect};
+use gusset_base::sparse::{Coupling, SparseSymmetric, dissect};
 
 /// Number of vertices between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;
@@ -19,7 +19,7 @@ pub(super) struct ChartSystem {
     place: Vec<u32>,
     /// For each place, the earlier places whose vertices are neighbours of its vertex.
     earlier: Buckets<u32>,
-    matrix: Symmetric,
+    matrix: SparseSymmetric,
     right: Vec<DVec3>,
     /// True for vertices with a fixed position.
     is_fixed: Vec<bool>,
@@ -84,7 +84,7 @@ impl ChartSystem {
             }
         }
         job.step(1.0, STAGE)?;
-        let matrix = Symmetric { start, entries, diagonal: alloc::filled(0.0, 2 * n)? };
+        let matrix = SparseSymmetric { start, entries, diagonal: alloc::filled(0.0, 2 * n)? };
         let right = alloc::filled(DVec3::ZERO, 2 * n)?;
         Ok(ChartSystem { place, earlier, matrix, right, is_fixed: alloc::filled(false, n)? })
     }

@@ -1,7 +1,7 @@
 //! Eigenvalues and eigenvectors of small symmetric matrices, by Jacobi's rotations.
 
 /// The number of Jacobi sweeps. Each squares the relative size of the off-diagonal entries.
-const SWEEPS: usize = 10;
+const JACOBI_SWEEPS: usize = 10;
 
 /// Returns the eigenvalues of a symmetric matrix, unsorted, and the matrix whose columns are their
 /// orthonormal eigenvectors. O(N^3).
@@ -9,7 +9,7 @@ pub fn eigen<const N: usize>(mut k: [[f64; N]; N]) -> ([f64; N], [[f64; N]; N]) 
     let mut vectors = [[0.0; N]; N];
     (0..N).for_each(|i| vectors[i][i] = 1.0);
     let pairs = (0..N).flat_map(|p| (p + 1..N).map(move |q| (p, q)));
-    for (p, q) in (0..SWEEPS).flat_map(|_| pairs.clone()) {
+    for (p, q) in (0..JACOBI_SWEEPS).flat_map(|_| pairs.clone()) {
         if k[p][q] == 0.0 {
             continue;
         }
