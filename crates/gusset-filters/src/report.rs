@@ -68,7 +68,7 @@ pub(super) fn counted<N: Display + PartialEq + From<u8> + Copy>(count: N, [one, 
 }
 
 /// Six significant digits, without zeros behind them.
-pub(super) fn short(value: f64) -> String {
+pub(super) fn format_short(value: f64) -> String {
     const DIGITS: i32 = 6;
     let trimmed = |digits: &str| match digits.contains('.') {
         true => digits.trim_end_matches('0').trim_end_matches('.').to_owned(),
@@ -85,8 +85,8 @@ pub(super) fn short(value: f64) -> String {
 }
 
 /// The coordinates of a point.
-pub(super) fn short_point(p: DVec3) -> String {
-    format!("({} {} {})", short(p.x), short(p.y), short(p.z))
+pub(super) fn format_short_point(p: DVec3) -> String {
+    format!("({} {} {})", format_short(p.x), format_short(p.y), format_short(p.z))
 }
 
 /// Appends a formatted line to a text.
@@ -100,14 +100,14 @@ macro_rules! push_line {
 pub(super) use push_line;
 
 /// Appends a line that counts the items beyond the listed ones, if there are any.
-pub(super) fn push_more(text: &mut String, count: usize, listed: usize) {
+pub(super) fn push_unlisted_count(text: &mut String, count: usize, listed: usize) {
     if count > listed {
         push_line!(text, "and {} more", count - listed);
     }
 }
 
 /// A line on distances: their number, the largest, the mean and the root mean square.
-pub(super) fn distances(of_what: Noun, distances: impl Iterator<Item = f64>) -> Report {
+pub(super) fn distance_report(of_what: Noun, distances: impl Iterator<Item = f64>) -> Report {
     let (mut count, mut largest, mut sum) = (0u64, 0.0f64, 0.0);
     // Squares are relative to the largest so far: they do not overflow or vanish.
     let mut squares = 0.0;
@@ -127,9 +127,9 @@ pub(super) fn distances(of_what: Noun, distances: impl Iterator<Item = f64>) -> 
     let text = format!(
         "{}: largest distance {}, mean {}, root mean square {}\n",
         counted(count, of_what),
-        short(largest),
-        short(mean),
-        short(root)
+        format_short(largest),
+        format_short(mean),
+        format_short(root)
     );
     let values = [
         ("count", count as f64),

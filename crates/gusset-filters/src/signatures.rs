@@ -3,7 +3,7 @@
 use super::data::{InputKind, OutputKind};
 
 /// One mesh.
-pub(super) const MESH: &[InputKind] = &[InputKind::Mesh];
+pub(super) const ONE_MESH: &[InputKind] = &[InputKind::Mesh];
 /// Two meshes.
 pub(super) const TWO_MESHES: &[InputKind] = &[InputKind::Mesh; 2];
 /// One input of curves.
