@@ -43,7 +43,7 @@ impl<'a> HostMeshData<'a> {
         job.step(0.0, "reading meshes")?;
         let places = mesh.attribute(ATTRIB_POINT, POINT_POSITION, TYPE_FLOAT)?;
         let size = Positions::bytes_needed(places.stride, points, Scalar::F32)?;
-        let bytes = input::bytes(places.data, size, 1, "positions")?;
+        let bytes = input::input_bytes(places.data, size, 1, "positions")?;
         let positions = Positions::strided(bytes, places.stride, points, Scalar::F32)?;
         let sizes = match mesh.properties.get_int(MESH_CONSTANT_FACE_SIZE).and_then(|size| u32::try_from(size).ok()) {
             Some(size) if size > 0 => alloc::filled(size, faces)?,
@@ -149,7 +149,7 @@ fn check_face_sizes(sizes: &[u32], corners: usize) -> Result<(), Error> {
 /// out of range.
 fn read_integers(array: &MeshAttribute, count: usize, name: &'static str) -> Result<Vec<u32>, EffectFault> {
     let size = byte_span(array.stride, count, 4, name)?;
-    let bytes = input::bytes(array.data, size, 1, name)?;
+    let bytes = input::input_bytes(array.data, size, 1, name)?;
     let number = |k: usize| bytemuck::pod_read_unaligned::<u32>(&bytes[k * array.stride..][..4]);
     Ok(alloc::collect((0..count).map(number))?)
 }
@@ -165,7 +165,7 @@ fn read_transform(mesh: &HostMesh<'_>) -> Result<Option<DMat4>, EffectFault> {
     let Some(matrix) = mesh.properties.get_pointer(MESH_TRANSFORM).filter(|matrix| !matrix.is_null()) else {
         return Ok(None);
     };
-    let rows: [f64; 16] = bytemuck::pod_read_unaligned(input::bytes(matrix, 16, 8, "transform")?);
+    let rows: [f64; 16] = bytemuck::pod_read_unaligned(input::input_bytes(matrix, 16, 8, "transform")?);
     Ok(Some(DMat4::from_cols_array(&rows).transpose()))
 }
 
@@ -225,7 +225,7 @@ fn write_elements<const N: usize>(
     if count > 1 && to.stride < N {
         return Err(OfxStatus::BAD_HANDLE.into());
     }
-    let bytes = input::results(to.data.cast::<u8>(), byte_span(to.stride, count, N, name)?, name)?;
+    let bytes = input::result_buffer(to.data.cast::<u8>(), byte_span(to.stride, count, N, name)?, name)?;
     for (k, element) in elements.enumerate() {
         bytes[k * to.stride..][..N].copy_from_slice(&element);
     }
