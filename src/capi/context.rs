@@ -76,7 +76,7 @@ pub struct gusset_error_report {
 versioned! { gusset_error_report: 40 }
 
 impl gusset_context {
-    fn lock(&self) -> Result<MutexGuard<'_, ContextState>, Failure> {
+    fn lock_state(&self) -> Result<MutexGuard<'_, ContextState>, Failure> {
         match self.state.try_lock() {
             Ok(state) => Ok(state),
             Err(TryLockError::Poisoned(poisoned)) => Ok(poisoned.into_inner()),
@@ -94,7 +94,7 @@ impl ContextState {
         let Failure { status, message, element, index, value, input } = failure;
         let message = CString::new(message.into_owned()).unwrap_or_default();
         // A context must not keep blocks in the reserve.
-        let kept = !reserve::holds(message.as_ptr());
+        let kept = !reserve::contains_block(message.as_ptr());
         self.message = if kept { Cow::Owned(message) } else { Cow::Borrowed(text(status as i32)) };
         self.report = gusset_error_report { status: status as i32, element, index, value, input, ..self.report };
         status
@@ -120,7 +120,7 @@ fn run_and_finish<T>(body: impl FnOnce(&Job<'_>) -> Result<T, Failure>, job: &Jo
 
 /// [`guard`] for a `body` that modifies the caller's data, writes to its outputs, or makes handles.
 /// These changes cannot be undone, so `body` calls [`Job::finish`] itself before it makes them, or
-/// [`Job::memory`] if it reports while it makes them.
+/// [`Job::check_memory`] if it reports while it makes them.
 pub(crate) fn guard_change(
     context: *const gusset_context,
     body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
@@ -139,7 +139,7 @@ fn run_guarded_call(
             return body(&Job::default()).map(|()| gusset_status::GUSSET_OK);
         }
         let context = handle::get_object(context, "context")?;
-        let mut state = context.lock()?;
+        let mut state = context.lock_state()?;
         let host = HostProgress::new(&context.watch, state.callbacks);
         let job = Job::new(state.threads as usize, &host);
         // Catch panics here too, so that the report mentions them.
@@ -197,7 +197,7 @@ pub(crate) fn answer_struct<T: VersionedStruct>(
     let out = input::output_struct(out, name);
     guard_change(context, |job| {
         let out = out?;
-        out.write(run_and_finish(body, job)?);
+        out.write_known_fields(run_and_finish(body, job)?);
         Ok(())
     })
 }
@@ -306,7 +306,7 @@ pub unsafe extern "C" fn gusset_context_set_log(
 
 fn change_state(context: *const gusset_context, set: impl FnOnce(&mut ContextState)) -> gusset_status {
     guard(ptr::null(), |_| {
-        let mut state = handle::get_object(context, "context")?.lock()?;
+        let mut state = handle::get_object(context, "context")?.lock_state()?;
         set(&mut state);
         state.record_outcome(Ok(()));
         Ok(())
@@ -351,7 +351,7 @@ pub unsafe extern "C" fn gusset_context_get_progress(context: *const gusset_cont
 /// @complexity O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_get_message(context: *const gusset_context) -> *const c_char {
-    let state = handle::get_object(context, "context").and_then(gusset_context::lock);
+    let state = handle::get_object(context, "context").and_then(gusset_context::lock_state);
     state.map_or(c"".as_ptr(), |state| state.message.as_ptr())
 }
 
@@ -363,5 +363,5 @@ pub unsafe extern "C" fn gusset_context_get_report(
     context: *const gusset_context,
     report: *mut gusset_error_report,
 ) -> gusset_status {
-    lend!(context, report, |context| context.lock()?.report)
+    lend!(context, report, |context| context.lock_state()?.report)
 }

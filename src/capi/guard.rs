@@ -32,7 +32,7 @@ fn install_silent_hook() -> Box<PanicHook> {
 struct CallInProgress;
 
 impl CallInProgress {
-    fn begin() -> Self {
+    fn begin_call() -> Self {
         CALLS_IN_PROGRESS.fetch_add(1, Ordering::Relaxed);
         // A host's thread that is panicking must not change the hook.
         if !panicking() {
@@ -51,7 +51,7 @@ impl Drop for CallInProgress {
 /// Runs `body` and catches panics, which must not unwind into the host. A panic becomes
 /// `GUSSET_ERROR_PANIC` and prints nothing.
 pub fn catch_panic<T, E: From<Failure>>(body: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
-    let _call = CallInProgress::begin();
+    let _call = CallInProgress::begin_call();
     catch_unwind(AssertUnwindSafe(body)).unwrap_or_else(|panic| {
         // The payload's own destructor could panic. The payload is small and rare, so leak it.
         std::mem::forget(panic);

@@ -319,7 +319,7 @@ pub(crate) struct OutputStruct<T> {
 
 impl<T: VersionedStruct> OutputStruct<T> {
     /// Writes the fields that the caller's version has; its struct_size stays.
-    pub(crate) fn write(self, value: T) {
+    pub(crate) fn write_known_fields(self, value: T) {
         let (field, end) = (size_of::<usize>(), self.size.min(size_of::<T>()));
         // SAFETY: as in output_struct; `value` is at least `end` bytes long.
         unsafe {

@@ -4,7 +4,7 @@
 use crate::space::{glued_bits_agree, sheet, sphere, torus};
 use glam::DVec3;
 use gusset::mesh::Scalar;
-use gusset::net::analyse::{absorb, analyse, analyse_field, jacobian};
+use gusset::net::analyse::{analyse, analyse_field, contract_links, jacobian};
 use gusset::net::closure::{BoxKind, Cuboid};
 use gusset::net::field::*;
 use gusset::net::glue::{GlueOptions, find_gluing, set_gluing};
@@ -14,8 +14,8 @@ use gusset::net::*;
 use gusset::{Element, Error, Job};
 use std::f64::consts::TAU;
 
-fn whole(field: &dyn Field) -> Step<'_> {
-    Step { field, strength: 1.0 }
+fn whole(field: &dyn Field) -> DeformationStep<'_> {
+    DeformationStep { field, strength: 1.0 }
 }
 
 #[test]
@@ -46,7 +46,7 @@ fn a_determinant_that_is_not_zero_can_glue() {
     // Made part of the net, and exact.
     let mut rolled = net.copied().unwrap();
     deform(&mut rolled, &steps, &Job::default()).unwrap();
-    let glued = absorb(rolled.topology(), found.contracted.iter().map(|c| c.link), &Job::default()).unwrap();
+    let glued = contract_links(rolled.topology(), found.contracted.iter().map(|c| c.link), &Job::default()).unwrap();
     assert_eq!(glued.sides(), Some(Sides::TUBE));
     rolled.set_topology(glued);
     assert!(!glued_bits_agree(&rolled), "2 pi has no exact sine");
@@ -98,14 +98,14 @@ fn poles_and_collapsed_cells_are_found_with_their_types() {
     assert_eq!(found.contracted.len(), 6 + 4);
     assert_eq!(found.cells[shape.cell(2, 2) as usize], 0.0);
     // Once absorbed nothing is new.
-    let glued = absorb(net.topology(), found.contracted.iter().map(|c| c.link), &Job::default()).unwrap();
-    let classes = Classes::new(&glued).unwrap();
+    let glued = contract_links(net.topology(), found.contracted.iter().map(|c| c.link), &Job::default()).unwrap();
+    let classes = NodeClasses::new(&glued).unwrap();
     assert_eq!(classes.representative(shape.node(3, 3)), shape.node(2, 2));
     let mut again = net.copied().unwrap();
     again.set_topology(glued);
     assert!(analyse(&again, &after, 0.0, &Job::default()).unwrap().contracted.is_empty());
     assert_eq!(
-        absorb(net.topology(), [60], &Job::default()).unwrap_err(),
+        contract_links(net.topology(), [60], &Job::default()).unwrap_err(),
         Error::NoSuch { element: Element::Link, index: 60 }
     );
 }
@@ -143,7 +143,7 @@ fn smooth_deformations_are_soft_and_areas_grow_as_they_should() {
 /// Space folded over at x = 20.
 struct Fold;
 impl Field for Fold {
-    fn map(&self, _: f64, [x, ..]: Points<'_>) {
+    fn map(&self, _: f64, [x, ..]: PointsMut<'_>) {
         x.iter_mut().for_each(|x| *x = 20.0 - (*x - 20.0).abs());
     }
 }

@@ -6,7 +6,7 @@ use glam::DVec3;
 use gusset::mesh::Scalar;
 use gusset::net::topology::{ContractedLinks, Gluing};
 use gusset::net::{
-    BridgeKind, BridgeMode, Classes, Direction, JoinOptions, Net, Replication, Sides, Topology, concatenate,
+    BridgeKind, BridgeMode, Direction, JoinOptions, Net, NodeClasses, Replication, Sides, Topology, concatenate,
     concatenate_all,
 };
 use gusset::{Element, Error};
@@ -51,7 +51,7 @@ proptest! {
         prop_assert!(same(&second, &b), "{:?}\n{:?}", second.topology(), b.topology());
         // The nets' own classes, and none between them unless they are welded.
         if modes[0] != BridgeMode::Weld {
-            let [x, y, z] = [&a, &b, &once].map(|net| Classes::new(net.topology()).unwrap().groups().unwrap());
+            let [x, y, z] = [&a, &b, &once].map(|net| NodeClasses::new(net.topology()).unwrap().groups().unwrap());
             if a.shape() == first.shape() && once.shape().node_count() == a.shape().node_count() + b.shape().node_count() {
                 prop_assert_eq!(x.len() + y.len(), z.len());
                 prop_assert_eq!(x.nodes().len() + y.nodes().len(), z.nodes().len());
@@ -152,8 +152,10 @@ proptest! {
         let options = JoinOptions { twist, mode, tolerance: f64::INFINITY, ..options(direction) };
         let Ok(joined) = concatenate(&a, &b, &options, &job()) else { return Ok(()) };
         if mode != BridgeMode::Weld {
-            let [x, y, z] = [&a, &b, &joined].map(|net| Classes::new(net.topology()).unwrap());
-            let count = |classes: &Classes| (0..classes.shape().node_count() as u32).filter(|&n| classes.representative(n) == n).count();
+            let [x, y, z] = [&a, &b, &joined].map(|net| NodeClasses::new(net.topology()).unwrap());
+            let count = |classes: &NodeClasses| {
+                (0..classes.shape().node_count() as u32).filter(|&n| classes.representative(n) == n).count()
+            };
             prop_assert_eq!(count(&x) + count(&y), count(&z));
         }
         let [first, second] = joined.split(0, &job()).unwrap();
@@ -258,7 +260,7 @@ fn edits_survive_splitting() {
         let links = ContractedLinks::Matrix(matrix);
         joined.set_topology(Topology::new(joined.shape(), links, joined.topology().seams()).unwrap());
         let [first, second] = joined.split(0, &job()).unwrap();
-        assert!(first.topology().contracts(2 * first.shape().node(2, 3)));
+        assert!(first.topology().is_contracted(2 * first.shape().node(2, 3)));
         assert_eq!((first.shape(), second.topology()), (a.shape(), b.topology()));
     }
 }

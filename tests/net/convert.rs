@@ -11,7 +11,7 @@ use gusset::mesh::{NONE, PositionBuffer, Scalar};
 use gusset::net::convert::{Diagonal, Heights, MeshOptions, net_of_grid, net_of_heights};
 use gusset::net::primitive::{Primitive, Request};
 use gusset::net::topology::{ContractedLinks, SeamRun};
-use gusset::net::{BridgeMode, Classes, Direction, JoinOptions, Net, Seam, Sides, Topology, concatenate};
+use gusset::net::{BridgeMode, Direction, JoinOptions, Net, NodeClasses, Seam, Sides, Topology, concatenate};
 use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -34,7 +34,7 @@ proptest! {
         hidden in any::<[u8; 2]>(),
         options in any_options(),
     ) {
-        let classes = Classes::new(&topology).unwrap();
+        let classes = NodeClasses::new(&topology).unwrap();
         let size = topology.shape();
         let mut net = Net::from_fn(topology, Scalar::F64, |i, j| {
             let n = f64::from(classes.representative(size.node(i, j)));
@@ -132,7 +132,7 @@ proptest! {
             let links = ContractedLinks::Sides(Sides { columns_closed: false, ..sides });
             Topology::new(shape(h, w), links, &seams).unwrap()
         };
-        let classes = Classes::new(&topology).unwrap();
+        let classes = NodeClasses::new(&topology).unwrap();
         let net = Net::from_fn(topology, Scalar::F32, |i, j| {
             let n = f64::from(classes.representative(shape(h, w).node(i, j)));
             DVec3::new(n, (n * 1.7).sin(), (n * 0.3).cos())

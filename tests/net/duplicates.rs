@@ -4,10 +4,10 @@ use glam::DVec3;
 use gusset::Job;
 use gusset::mesh::Scalar;
 use gusset::net::closure::{BoxKind, Cuboid};
-use gusset::net::field::{self, Field, Lattice, Step, deform, displace};
+use gusset::net::field::{self, DeformationStep, Field, Lattice, deform, displace};
 use gusset::net::primitive::{Primitive, Request};
 use gusset::net::transform::{Affine, Axis, RotationSense, transform};
-use gusset::net::{Classes, Net};
+use gusset::net::{Net, NodeClasses};
 
 fn shapes() -> Vec<Net<'static>> {
     let (radius, height, minor_radius) = (1.3, 2.1, 0.4);
@@ -38,7 +38,7 @@ fn shapes() -> Vec<Net<'static>> {
 }
 
 fn check(net: &Net<'_>, what: &str) {
-    let classes = Classes::new(net.topology()).unwrap();
+    let classes = NodeClasses::new(net.topology()).unwrap();
     let bits = |node: u32| {
         let (i, j) = net.shape().place(node);
         net.get(i, j).to_array().map(f64::to_bits)
@@ -95,7 +95,7 @@ fn fields() {
         for (what, field) in &fields {
             for strength in [1.0, 0.37] {
                 let mut moved = net.copied().unwrap();
-                deform(&mut moved, &[Step { field: field.as_ref(), strength }], &Job::default()).unwrap();
+                deform(&mut moved, &[DeformationStep { field: field.as_ref(), strength }], &Job::default()).unwrap();
                 check(&moved, what);
             }
         }

@@ -11,7 +11,7 @@ use gusset::mesh::Scalar;
 use gusset::net::stream::{StreamDecoder, StreamMode, StreamOptions, decode, encode};
 use gusset::net::topology::{ContractedLinks, LinkMatrix, SeamRun};
 use gusset::net::{
-    Bridge, BridgeKind, BridgeMode, BridgeProperties, Classes, Direction, Net, Seam, Shape, Sides, Topology,
+    Bridge, BridgeKind, BridgeMode, BridgeProperties, Direction, Net, NodeClasses, Seam, Shape, Sides, Topology,
 };
 use std::path::Path;
 use std::{env, fs};
@@ -21,7 +21,7 @@ const MODES: [(&str, StreamMode); 3] =
 
 /// A net whose glued nodes agree to the bit.
 fn net(topology: Topology, scalar: Scalar, place: impl Fn(usize, usize) -> DVec3) -> Net<'static> {
-    let classes = Classes::new(&topology).unwrap();
+    let classes = NodeClasses::new(&topology).unwrap();
     let shape = topology.shape();
     let first = |i, j| shape.place(classes.representative(shape.node(i, j)));
     Net::from_fn(topology, scalar, |i, j| {

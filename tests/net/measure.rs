@@ -5,7 +5,7 @@ use crate::common::Silent;
 use crate::space::{Random, sheet, sphere, torus};
 use glam::{DMat3, DVec3};
 use gusset::mesh::Scalar;
-use gusset::net::field::{Step, deform};
+use gusset::net::field::{DeformationStep, deform};
 use gusset::net::measure::{measure, moments, planarity};
 use gusset::net::transform::{Affine, Axis, RotationSense, transform};
 use gusset::net::*;
@@ -192,8 +192,12 @@ fn planarity_is_the_distance_of_the_corners_from_their_plane() {
     // Spheres by latitude and longitude have plane cells; twisted ones have not.
     let mut ball = sphere(17, 33, Scalar::F64);
     assert!(planarity(&ball, 1e-12, &Job::default()).unwrap().above == 0);
-    deform(&mut ball, &[Step { field: &field::twist(Axis::Z, 1.0, 0.0).unwrap(), strength: 1.0 }], &Job::default())
-        .unwrap();
+    deform(
+        &mut ball,
+        &[DeformationStep { field: &field::twist(Axis::Z, 1.0, 0.0).unwrap(), strength: 1.0 }],
+        &Job::default(),
+    )
+    .unwrap();
     assert!(planarity(&ball, 1e-3, &Job::default()).unwrap().above > 200);
     assert!(matches!(planarity(&ball, -1.0, &Job::default()), Err(Error::OptionOutOfRange { .. })));
 }

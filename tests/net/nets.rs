@@ -5,7 +5,7 @@ use crate::space::is_hidden;
 use glam::DVec3;
 use gusset::mesh::Scalar;
 use gusset::net::topology::{ContractedLinks, LinkMatrix, ReducedCell, SeamRun};
-use gusset::net::{Classes, Net, Seam, Shape, Sides, Topology};
+use gusset::net::{Net, NodeClasses, Seam, Shape, Sides, Topology};
 use gusset::{Error, Job};
 use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -74,7 +74,7 @@ pub struct Surface {
 
 impl Surface {
     pub fn from_net(net: &Net<'_>) -> Surface {
-        let classes = Classes::new(net.topology()).unwrap();
+        let classes = NodeClasses::new(net.topology()).unwrap();
         let (mut polygons, mut edges) = (Vec::new(), BTreeSet::new());
         let mut edge = |a: u32, b: u32| edges.insert([a.min(b), a.max(b)]);
         let (h, w) = (net.shape().rows(), net.shape().columns());

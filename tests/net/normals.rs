@@ -44,7 +44,7 @@ fn on_spheres_and_tori_they_point_outwards_seams_and_poles_included() {
 /// Corner by corner over the polygons that are left of the cells, for each class; and unit vectors
 /// in the end.
 fn by_force(net: &Net<'_>) -> Vec<DVec3> {
-    let (shape, classes) = (net.shape(), Classes::new(net.topology()).unwrap());
+    let (shape, classes) = (net.shape(), NodeClasses::new(net.topology()).unwrap());
     let mut sums = vec![(DVec3::ZERO, 0.0); shape.node_count()];
     for i in 0..shape.rows() - 1 {
         for j in 0..shape.columns() - 1 {

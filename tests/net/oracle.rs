@@ -4,9 +4,10 @@
 use crate::complexes::Oracle;
 use gusset::net::complex::Complex;
 use gusset::net::topology::{
-    CellDiagonal, ContractedLinks, Gluing, GluingType, LinkMatrix, ReducedCell, classify_cell, classify_node, histogram,
+    CellDiagonal, ContractedLinks, Gluing, GluingType, LinkMatrix, ReducedCell, classify_cell, classify_node,
+    gluing_histogram,
 };
-use gusset::net::{Classes, Shape, Sides, Topology};
+use gusset::net::{NodeClasses, Shape, Sides, Topology};
 use gusset::{Error, Job};
 use std::collections::BTreeSet;
 
@@ -88,12 +89,12 @@ fn check_matrices(shape: Shape, part: u32) -> (BTreeSet<usize>, u64) {
         oracle.check(&complex);
         check_types(&topology, &oracle.class, &mut seen);
         if bits % 16 == 5 {
-            let saturated = topology.saturated().unwrap();
+            let saturated = topology.canonical_form().unwrap();
             let all = (0..18).all(|link| {
                 let [a, b] = shape.ends(link).map(|node| oracle.class[node as usize]);
-                saturated.contracts(link) == (a == b)
+                saturated.is_contracted(link) == (a == b)
             });
-            assert!(all && saturated.saturated().unwrap() == saturated);
+            assert!(all && saturated.canonical_form().unwrap() == saturated);
             assert_eq!(Complex::from_topology(&saturated, &Job::default()).unwrap(), complex);
         }
     }
@@ -101,7 +102,7 @@ fn check_matrices(shape: Shape, part: u32) -> (BTreeSet<usize>, u64) {
 }
 
 fn check_types(topology: &Topology, class: &[usize], seen: &mut BTreeSet<usize>) {
-    let classes = Classes::new(topology).unwrap();
+    let classes = NodeClasses::new(topology).unwrap();
     let mut count = [[0u64; 18]; 2];
     for (i, j) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
         for cyclic in [false, true] {
@@ -129,7 +130,7 @@ fn check_types(topology: &Topology, class: &[usize], seen: &mut BTreeSet<usize>)
             }
         }
     }
-    let histogram = histogram(topology, &Job::default()).unwrap();
+    let histogram = gluing_histogram(topology, &Job::default()).unwrap();
     assert_eq!([histogram.nodes, histogram.cells], count);
 }
 
@@ -224,7 +225,7 @@ fn each_type_is_what_its_caption_says() {
         let number = kind.number();
         let at = if number < 13 { shape.node(2, 2) } else { shape.cell(2, 2) };
         let glued = sheet.glued(&[Gluing::from_type(kind, at)]).unwrap();
-        let classes = Classes::new(&glued).unwrap();
+        let classes = NodeClasses::new(&glued).unwrap();
         let found = if number < 13 { classify_node(&classes, 2, 2, false) } else { classify_cell(&classes, 2, 2) };
         assert_eq!(found, Some(kind));
         let (order, count, cells) = caption(number);
@@ -260,16 +261,16 @@ fn long_rows() {
                 continue;
             }
             let topology = topology.unwrap();
-            let classes = Classes::new(&topology).unwrap();
+            let classes = NodeClasses::new(&topology).unwrap();
             assert!(
                 classes.representatives().unwrap().iter().zip(&class).all(|(&found, &class)| found as usize == class)
             );
-            let saturated = topology.saturated().unwrap();
+            let saturated = topology.canonical_form().unwrap();
             let (mut nodes, mut cells) = ([0; 18], [0; 18]);
             for node in 0..shape.node_count() as u32 {
                 let (i, j) = shape.place(node);
                 for link in [2 * node, 2 * node + 1] {
-                    assert_eq!(saturated.contracts(link), classes.contracts(link));
+                    assert_eq!(saturated.is_contracted(link), classes.has_identified_ends(link));
                 }
                 let types = [
                     classify_node(&classes, i, j, false),
@@ -278,7 +279,7 @@ fn long_rows() {
                 types[0].iter().for_each(|kind| nodes[kind.number()] += 1);
                 types[1].iter().for_each(|kind| cells[kind.number()] += 1);
             }
-            let histogram = histogram(&topology, &Job::default()).unwrap();
+            let histogram = gluing_histogram(&topology, &Job::default()).unwrap();
             assert_eq!((histogram.nodes, histogram.cells), (nodes, cells));
         }
     }

@@ -112,7 +112,7 @@ pub fn bits(net: &Net<'_>) -> Vec<u64> {
 /// True if nodes of one class have equal bits.
 pub fn glued_bits_agree(net: &Net<'_>) -> bool {
     let (shape, bits) = (net.shape(), bits(net));
-    let classes = gusset::net::Classes::new(net.topology()).unwrap();
+    let classes = gusset::net::NodeClasses::new(net.topology()).unwrap();
     (0..shape.node_count() as u32).all(|node| {
         let (a, b) = (3 * node as usize, 3 * classes.representative(node) as usize);
         bits[a..a + 3] == bits[b..b + 3]

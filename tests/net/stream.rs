@@ -8,8 +8,8 @@ use gusset::mesh::Scalar;
 use gusset::net::stream::{StreamDecoder, StreamInfo, StreamMode, StreamOptions, decode, encode};
 use gusset::net::topology::{ContractedLinks, LinkMatrix, SeamRun};
 use gusset::net::{
-    Bridge, BridgeKind, BridgeMode, BridgeProperties, Classes, Coordinates, Direction, JoinOptions, Net, Seam, Shape,
-    Sides, Topology, XyzMatrices, concatenate,
+    Bridge, BridgeKind, BridgeMode, BridgeProperties, Coordinates, Direction, JoinOptions, Net, NodeClasses, Seam,
+    Shape, Sides, Topology, XyzMatrices, concatenate,
 };
 use proptest::prelude::*;
 
@@ -43,7 +43,7 @@ pub(crate) fn assert_same(a: &Net<'_>, b: &Net<'_>) {
 /// The quantised net by the definition, node by node from the header.
 fn assert_quantised(net: &Net<'_>, back: &Net<'_>, info: &StreamInfo) {
     let StreamMode::Quantised { bits: levels } = info.mode else { panic!("{info:?}") };
-    let classes = Classes::new(net.topology()).unwrap();
+    let classes = NodeClasses::new(net.topology()).unwrap();
     let round = |value: f64| match net.coordinates().scalar() {
         Scalar::F32 => f64::from(value as f32),
         Scalar::F64 => value,

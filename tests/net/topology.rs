@@ -2,7 +2,7 @@
 
 use crate::nets::any_topology;
 use gusset::net::topology::{ContractedLinks, Gluing, LinkMatrix, SeamRun};
-use gusset::net::{Classes, Seam, Shape, Sides, Topology, closure};
+use gusset::net::{NodeClasses, Seam, Shape, Sides, Topology, closure};
 use proptest::prelude::*;
 
 /// All 64 combinations of sides.
@@ -43,8 +43,8 @@ fn classes_of_sides_are_those_of_their_matrix() {
         let shape = Shape::new(h, w).unwrap();
         for sides in all_sides() {
             let topology = Topology::from_sides(shape, sides);
-            let classes = Classes::new(&topology).unwrap();
-            let expected = classes_by_force(shape, |link| sides.contracts(shape, link), &[]);
+            let classes = NodeClasses::new(&topology).unwrap();
+            let expected = classes_by_force(shape, |link| sides.is_contracted(shape, link), &[]);
             assert_eq!(classes.representatives().unwrap(), expected, "{h} x {w}, {sides:?}");
             let mut members: Vec<u32> = Vec::new();
             for class in classes.groups().unwrap().iter() {
@@ -100,7 +100,7 @@ proptest! {
     #[test]
     fn saturated_is_one_for_equal_classes(topology in any_topology(2..7, 2..7)) {
         let shape = topology.shape();
-        let table = Classes::new(&topology).unwrap().representatives().unwrap();
+        let table = NodeClasses::new(&topology).unwrap().representatives().unwrap();
         let node = |node: u32| {
             let (i, j) = shape.place(node);
             SeamRun::along_row(i as u32, j as u32, 0)
@@ -114,11 +114,11 @@ proptest! {
             }
         }
         let chains = Topology::new(shape, ContractedLinks::Sides(Sides::SHEET), &seams).unwrap();
-        let saturated = topology.saturated().unwrap();
-        prop_assert_eq!(&Classes::new(&saturated).unwrap().representatives().unwrap(), &table);
-        prop_assert_eq!(&saturated.saturated().unwrap(), &saturated);
+        let saturated = topology.canonical_form().unwrap();
+        prop_assert_eq!(&NodeClasses::new(&saturated).unwrap().representatives().unwrap(), &table);
+        prop_assert_eq!(&saturated.canonical_form().unwrap(), &saturated);
         for other in [one_by_one, chains] {
-            prop_assert_eq!(&other.saturated().unwrap().with_reversed(saturated.is_reversed()), &saturated);
+            prop_assert_eq!(&other.canonical_form().unwrap().with_reversed(saturated.is_reversed()), &saturated);
         }
     }
 }
@@ -135,14 +135,14 @@ fn seams_in_one_form() {
     // One of four pairs and two of two.
     let (whole, halves) = (of(&[seam(0, 4)]), of(&[seam(0, 2), seam(2, 2)]));
     assert_ne!(whole, halves);
-    assert_eq!(whole.saturated().unwrap(), halves.saturated().unwrap());
-    assert_eq!(whole.saturated().unwrap(), whole);
+    assert_eq!(whole.canonical_form().unwrap(), halves.canonical_form().unwrap());
+    assert_eq!(whole.canonical_form().unwrap(), whole);
     // p with q and q with r; p with r and r with q.
     let at = |row: u32, column: u32| SeamRun::along_row(row, column, 0);
     let pair = |a: SeamRun, b: SeamRun| Seam { a, b, count: 1 };
     let [p, q, r] = [at(0, 0), at(2, 4), at(3, 8)];
     let [one, other] = [[pair(p, q), pair(q, r)], [pair(p, r), pair(r, q)]].map(|seams| of(&seams));
-    assert_eq!(one.saturated().unwrap(), other.saturated().unwrap());
+    assert_eq!(one.canonical_form().unwrap(), other.canonical_form().unwrap());
     // Repetitions of one pair are not a seam; a run that meets one node is a seam.
     for count in [2, 7, u32::MAX] {
         let repeated = [pair(p, q), Seam { a: p, b: r, count }];
@@ -153,6 +153,6 @@ fn seams_in_one_form() {
     assert_eq!(of(&[Seam { a: SeamRun::along_row(0, 0, 1), b: r, count: 9 }]).seams()[0].count, 9);
     // Closures that turn a side round are one seam still.
     for turned in [closure::moebius(shape).unwrap(), closure::klein(shape).unwrap()] {
-        assert_eq!(turned.saturated().unwrap().seams().len(), 1);
+        assert_eq!(turned.canonical_form().unwrap().seams().len(), 1);
     }
 }

@@ -196,11 +196,13 @@ fn maps_mirror_whatever_becomes_of_the_volume() {
             [([-k, -k, -k], true), ([k, k, k], false), ([k, -1.0, k], true), ([-k, -1.0, 1.0 / k], false)]
         {
             let map = Affine::stretching(DVec3::from_array(ratios)).unwrap();
-            assert_eq!(map.mirrors(), mirrors, "{ratios:?}");
+            assert_eq!(map.is_mirroring(), mirrors, "{ratios:?}");
             let mut net = torus(5, 7, Scalar::F64);
             transform(&mut net, &map, &Job::default()).unwrap();
             assert_eq!(net.topology().is_reversed(), mirrors);
         }
     }
-    assert!(!Affine::scaling(0.0).unwrap().mirrors() && !Affine::compression(Axis::Z, -0.0).unwrap().mirrors());
+    assert!(
+        !Affine::scaling(0.0).unwrap().is_mirroring() && !Affine::compression(Axis::Z, -0.0).unwrap().is_mirroring()
+    );
 }

@@ -46,7 +46,7 @@ impl<'a> Job<'a> {
     /// Creates a job. If `threads` is 0, it uses as many threads as the machine has; 1 means the
     /// calling thread only. The result does not depend on the number of threads.
     pub fn new(threads: usize, progress: &'a dyn Progress) -> Self {
-        Job { threads, progress, from: 0.0, to: 1.0, drawn: reserve::drawn() }
+        Job { threads, progress, from: 0.0, to: 1.0, drawn: reserve::drawn_bytes() }
     }
 
     /// Returns the requested number of threads; 0 means automatic.
@@ -74,12 +74,12 @@ impl<'a> Job<'a> {
     /// returns [`Error::OutOfMemory`] if an infallible allocation was served from the reserve.
     #[inline(never)]
     pub fn step(&self, fraction: f64, stage: &'static str) -> Result<()> {
-        self.memory()?;
+        self.check_memory()?;
         self.report(fraction, stage)
     }
 
     /// Reports progress like [`Job::step`], but without checking the reserve. Use it in work that
-    /// modifies the caller's data in place, after a call of [`Job::memory`].
+    /// modifies the caller's data in place, after a call of [`Job::check_memory`].
     pub fn report(&self, fraction: f64, stage: &'static str) -> Result<()> {
         // Work without elements reports 0 / 0.
         let fraction = if fraction.is_nan() { 0.0 } else { fraction.clamp(0.0, 1.0) };
@@ -93,15 +93,15 @@ impl<'a> Job<'a> {
     ///
     /// As [`Job::step`].
     pub fn finish(&self) -> Result<()> {
-        self.memory()?;
+        self.check_memory()?;
         check_not_cancelled(self.progress.finish())
     }
 
     /// Returns [`Error::OutOfMemory`] if any thread has taken memory from the reserve since the job
     /// began. Call it before modifying the caller's data.
     #[inline]
-    pub fn memory(&self) -> Result<()> {
-        match reserve::drawn() - self.drawn {
+    pub fn check_memory(&self) -> Result<()> {
+        match reserve::drawn_bytes() - self.drawn {
             0 => Ok(()),
             bytes => Err(Error::OutOfMemory { bytes }),
         }

@@ -64,7 +64,7 @@ pub fn map_jobs<T: Send, R: Send>(
     work: impl Fn(T, &Job<'_>) -> Result<R> + Sync,
 ) -> Result<Vec<R>> {
     let count = items.len();
-    let helpers = at_most(count, job.threads()).saturating_sub(1);
+    let helpers = resolve_thread_count(count, job.threads()).saturating_sub(1);
     let queue = Mutex::new(items.enumerate());
     // Allocates all results before the first item, so that nothing fails after the last.
     let (results, mut all) = (empty_result_slots(count)?, alloc::with_capacity(count)?);
@@ -149,7 +149,7 @@ fn run_ordered<T: Send, R: Send>(
     before: impl Fn(usize) -> Result<()>,
 ) -> Result<Vec<R>> {
     let count = items.len();
-    let helpers = at_most(count, threads).saturating_sub(1);
+    let helpers = resolve_thread_count(count, threads).saturating_sub(1);
     let queue = Mutex::new(items.enumerate());
     let (results, mut all) = (empty_result_slots(count)?, alloc::with_capacity(count)?);
     let do_next = |before: BeforeItem<'_>| -> Result<bool> {
@@ -208,7 +208,7 @@ pub fn run_both<R, S: Send>(
     first: impl FnOnce(&Job<'_>) -> Result<R>,
     second: impl FnOnce(&Job<'_>) -> Result<S> + Send,
 ) -> Result<(R, S)> {
-    if at_most(2, job.threads()) < 2 {
+    if resolve_thread_count(2, job.threads()) < 2 {
         return Ok((first(&job.part(0.0, 0.5))?, second(&job.part(0.5, 1.0))?));
     }
     let stopped = AtomicBool::new(false);
@@ -307,7 +307,7 @@ pub fn ranges(len: usize, size: usize) -> impl ExactSizeIterator<Item = Range<us
 
 /// Resolves a number of threads: 0 means as many as the machine has. The result is at most `limit`
 /// and at least 1.
-pub fn at_most(limit: usize, threads: usize) -> usize {
+pub fn resolve_thread_count(limit: usize, threads: usize) -> usize {
     match threads {
         // Asking the system takes longer than a small job.
         _ if limit <= 1 => 1,

@@ -4,8 +4,8 @@
 //! Memory that grows with the input is requested through `alloc`, where a refusal is an error. The
 //! standard library and third-party crates also make small allocations that cannot fail without
 //! aborting. If the system refuses one of these, the allocator serves it from the reserve. The job
-//! of the call notices at its next step ([`drawn`]) and ends the call with an error, which frees
-//! the memory.
+//! of the call notices at its next step ([`drawn_bytes`]) and ends the call with an error, which
+//! frees the memory.
 //!
 //! The reserve is static and divided into arenas, in which blocks lie one behind another. An arena
 //! is reset when its last block is freed. The state of an arena is one number that threads change
@@ -17,18 +17,18 @@
 /// Returns the number of bytes taken from the reserve since the program began. Two equal readings
 /// mean that nothing was taken in between.
 #[inline]
-pub fn drawn() -> u64 {
+pub fn drawn_bytes() -> u64 {
     #[cfg(feature = "reserve")]
-    return arenas::RESERVE.drawn.load(std::sync::atomic::Ordering::Relaxed);
+    return arenas::RESERVE_ARENAS.drawn.load(std::sync::atomic::Ordering::Relaxed);
     #[cfg(not(feature = "reserve"))]
     0
 }
 
 /// Returns true if the block lies in the reserve.
 #[inline]
-pub fn holds<T>(block: *const T) -> bool {
+pub fn contains_block<T>(block: *const T) -> bool {
     #[cfg(feature = "reserve")]
-    return arenas::RESERVE.offset_of(block.cast()).is_some();
+    return arenas::RESERVE_ARENAS.offset_of(block.cast()).is_some();
     #[cfg(not(feature = "reserve"))]
     {
         let _ = block;
@@ -54,7 +54,7 @@ mod arenas {
     /// The memory of the reserve, and its allocation state. A static that is all zeros takes no
     /// space in the executable and no physical memory until it is used.
     #[repr(C, align(64))]
-    pub(super) struct Arenas {
+    pub(super) struct ReserveArenas {
         bytes: UnsafeCell<[u8; ARENA_COUNT * ARENA_BYTES]>,
         /// The state of each arena. The low half is the number of bytes in use, the high half the
         /// number of live blocks.
@@ -63,9 +63,9 @@ mod arenas {
     }
 
     // SAFETY: the bytes are accessed only through blocks, and the states give each block one owner.
-    unsafe impl Sync for Arenas {}
+    unsafe impl Sync for ReserveArenas {}
 
-    pub(super) static RESERVE: Arenas = Arenas {
+    pub(super) static RESERVE_ARENAS: ReserveArenas = ReserveArenas {
         bytes: UnsafeCell::new([0; ARENA_COUNT * ARENA_BYTES]),
         states: [const { AtomicU64::new(0) }; ARENA_COUNT],
         drawn: AtomicU64::new(0),
@@ -78,7 +78,7 @@ mod arenas {
         (state & (ONE_BLOCK - 1)) as usize
     }
 
-    impl Arenas {
+    impl ReserveArenas {
         /// Returns the offset of a block in the reserve, if the block lies there.
         #[inline]
         pub(super) fn offset_of(&self, block: *const u8) -> Option<usize> {
@@ -170,7 +170,7 @@ mod arenas {
     #[inline(never)]
     unsafe fn reallocate(block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
         let Ok(new) = Layout::from_size_align(size, layout.align()) else { return ptr::null_mut() };
-        let offset = RESERVE.offset_of(block);
+        let offset = RESERVE_ARENAS.offset_of(block);
         // SAFETY: the caller guarantees `block` and both sizes, which are not 0. A recorded origin
         // is a block of the system with the recorded size, and has no other owner.
         unsafe {
@@ -179,7 +179,7 @@ mod arenas {
             {
                 if before == size {
                     ptr::copy_nonoverlapping(block, from, layout.size().min(size));
-                    RESERVE.free_in_arena(offset, layout.size());
+                    RESERVE_ARENAS.free_in_arena(offset, layout.size());
                     return from;
                 }
                 System.dealloc(from, Layout::from_size_align_unchecked(before, layout.align()));
@@ -189,7 +189,7 @@ mod arenas {
                 return made;
             }
             ptr::copy_nonoverlapping(block, made, layout.size().min(size));
-            let is_moved = offset.is_none() && RESERVE.offset_of(made).is_some();
+            let is_moved = offset.is_none() && RESERVE_ARENAS.offset_of(made).is_some();
             if !(is_moved && BlockOrigin::record_origin(made, block, layout.size())) {
                 ReserveBackedAllocator.dealloc(block, layout);
             }
@@ -208,7 +208,7 @@ mod arenas {
             // SAFETY: as in `reallocate`.
             unsafe { System.dealloc(from, Layout::from_size_align_unchecked(size, layout.align())) };
         }
-        RESERVE.free_in_arena(offset, layout.size());
+        RESERVE_ARENAS.free_in_arena(offset, layout.size());
     }
 
     /// The system's allocator, backed by the reserve.
@@ -220,14 +220,14 @@ mod arenas {
         unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
             // SAFETY: guaranteed by the caller.
             let block = unsafe { System.alloc(layout) };
-            if block.is_null() { RESERVE.allocate_from_arena(layout) } else { block }
+            if block.is_null() { RESERVE_ARENAS.allocate_from_arena(layout) } else { block }
         }
 
         unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
             // SAFETY: guaranteed by the caller.
             let mut block = unsafe { System.alloc_zeroed(layout) };
             if block.is_null() {
-                block = RESERVE.allocate_from_arena(layout);
+                block = RESERVE_ARENAS.allocate_from_arena(layout);
                 if !block.is_null() {
                     // SAFETY: the block has that size. It may have been used before.
                     unsafe { block.write_bytes(0, layout.size()) };
@@ -237,7 +237,7 @@ mod arenas {
         }
 
         unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
-            match RESERVE.offset_of(block) {
+            match RESERVE_ARENAS.offset_of(block) {
                 // SAFETY: guaranteed by the caller.
                 Some(offset) => unsafe { free_block(block, offset, layout) },
                 // SAFETY: guaranteed by the caller.
@@ -246,7 +246,7 @@ mod arenas {
         }
 
         unsafe fn realloc(&self, block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-            if RESERVE.offset_of(block).is_none() {
+            if RESERVE_ARENAS.offset_of(block).is_none() {
                 // SAFETY: guaranteed by the caller.
                 let made = unsafe { System.realloc(block, layout, size) };
                 if !made.is_null() {
@@ -278,55 +278,55 @@ mod arenas {
         fn blocks_of_the_reserve_are_disjoint_and_are_reused() {
             // A separate reserve, because jobs of other tests would find the program's reserve in
             // use.
-            static OWN: Arenas = Arenas {
+            static TEST_ARENAS: ReserveArenas = ReserveArenas {
                 bytes: UnsafeCell::new([0; ARENA_COUNT * ARENA_BYTES]),
                 states: [const { AtomicU64::new(0) }; ARENA_COUNT],
                 drawn: AtomicU64::new(0),
             };
             let of = |size, align| Layout::from_size_align(size, align).unwrap();
-            let unused = || OWN.states.iter().all(|state| state.load(Ordering::Relaxed) == 0);
+            let unused = || TEST_ARENAS.states.iter().all(|state| state.load(Ordering::Relaxed) == 0);
             let mut held = Vec::new();
             for k in 0.. {
                 let layout = of(1 + k * 7919 % 9000, 1 << (k % 7));
-                let block = OWN.allocate_from_arena(layout);
+                let block = TEST_ARENAS.allocate_from_arena(layout);
                 if block.is_null() {
                     break;
                 }
-                assert!(block.addr().is_multiple_of(layout.align()) && OWN.offset_of(block).is_some());
-                assert!(RESERVE.offset_of(block).is_none());
+                assert!(block.addr().is_multiple_of(layout.align()) && TEST_ARENAS.offset_of(block).is_some());
+                assert!(RESERVE_ARENAS.offset_of(block).is_none());
                 // SAFETY: the block has that size.
                 unsafe { block.write_bytes(k as u8, layout.size()) };
                 held.push((block, layout));
             }
             let total: usize = held.iter().map(|(_, layout)| layout.size()).sum();
             assert!(total > ARENA_COUNT * ARENA_BYTES * 3 / 4, "{total}");
-            assert_eq!(OWN.drawn.load(Ordering::Relaxed), total as u64);
+            assert_eq!(TEST_ARENAS.drawn.load(Ordering::Relaxed), total as u64);
             for (k, &(block, layout)) in held.iter().enumerate() {
                 // SAFETY: as above.
                 let bytes = unsafe { std::slice::from_raw_parts(block, layout.size()) };
                 assert!(bytes.iter().all(|&byte| byte == k as u8));
             }
             for refused in [of(ARENA_BYTES, 1), of(ARENA_BYTES + 1, 1), of(1, 128)] {
-                assert!(OWN.allocate_from_arena(refused).is_null());
+                assert!(TEST_ARENAS.allocate_from_arena(refused).is_null());
             }
             held.drain(..).for_each(|(block, layout)| {
-                OWN.free_in_arena(OWN.offset_of(block).unwrap(), layout.size());
+                TEST_ARENAS.free_in_arena(TEST_ARENAS.offset_of(block).unwrap(), layout.size());
             });
             assert!(unused());
             // Freed blocks are reused: many small ones in turn take the room of one.
-            let kept = OWN.allocate_from_arena(of(8, 8));
+            let kept = TEST_ARENAS.allocate_from_arena(of(8, 8));
             for _ in 0..ARENA_BYTES {
-                let block = OWN.allocate_from_arena(of(64, 8));
-                OWN.free_in_arena(OWN.offset_of(block).unwrap(), 64);
+                let block = TEST_ARENAS.allocate_from_arena(of(64, 8));
+                TEST_ARENAS.free_in_arena(TEST_ARENAS.offset_of(block).unwrap(), 64);
             }
-            assert!(OWN.states[1..].iter().all(|state| state.load(Ordering::Relaxed) == 0));
-            OWN.free_in_arena(OWN.offset_of(kept).unwrap(), 8);
+            assert!(TEST_ARENAS.states[1..].iter().all(|state| state.load(Ordering::Relaxed) == 0));
+            TEST_ARENAS.free_in_arena(TEST_ARENAS.offset_of(kept).unwrap(), 8);
             assert!(unused());
         }
 
         #[test]
         fn blocks_of_many_threads_are_disjoint() {
-            static OWN: Arenas = Arenas {
+            static TEST_ARENAS: ReserveArenas = ReserveArenas {
                 bytes: UnsafeCell::new([0; ARENA_COUNT * ARENA_BYTES]),
                 states: [const { AtomicU64::new(0) }; ARENA_COUNT],
                 drawn: AtomicU64::new(0),
@@ -336,7 +336,7 @@ mod arenas {
                     scope.spawn(move || {
                         for round in 0..2000 {
                             let layout = Layout::from_size_align(1 + round * 31 % 3000, 8).unwrap();
-                            let blocks = [0; 5].map(|_| OWN.allocate_from_arena(layout));
+                            let blocks = [0; 5].map(|_| TEST_ARENAS.allocate_from_arena(layout));
                             for block in blocks {
                                 assert!(!block.is_null());
                                 // SAFETY: the block has that size and belongs to this thread.
@@ -347,13 +347,13 @@ mod arenas {
                                 // SAFETY: as above.
                                 let bytes = unsafe { std::slice::from_raw_parts(block, layout.size()) };
                                 assert!(bytes.iter().all(|&byte| byte == name));
-                                OWN.free_in_arena(OWN.offset_of(block).unwrap(), layout.size());
+                                TEST_ARENAS.free_in_arena(TEST_ARENAS.offset_of(block).unwrap(), layout.size());
                             }
                         }
                     });
                 }
             });
-            assert!(OWN.states.iter().all(|state| state.load(Ordering::Relaxed) == 0));
+            assert!(TEST_ARENAS.states.iter().all(|state| state.load(Ordering::Relaxed) == 0));
         }
     }
 }

@@ -190,11 +190,11 @@ fn merge_sorted_runs<T>(items: &mut [T], middle: usize, compare: &dyn Fn(&T, &T)
 
 /// Partitions indices so that the index of rank `middle` by key is in its place, with smaller ones
 /// before it. Breaks ties by the smaller index. O(n).
-pub fn select(numbers: &mut [u32], middle: usize, key: impl Fn(u32) -> f64) {
+pub fn select_by_rank(numbers: &mut [u32], middle: usize, key: impl Fn(u32) -> f64) {
     numbers.select_nth_unstable_by(middle, |&i, &j| key(i).total_cmp(&key(j)).then(i.cmp(&j)));
 }
 
-/// [`select`] for long lists: calls `report` regularly.
+/// [`select_by_rank`] for long lists: calls `report` regularly.
 pub fn select_reported(
     numbers: &mut [u32],
     middle: usize,
@@ -313,7 +313,7 @@ mod tests {
     use std::ops::ControlFlow;
 
     /// Random numbers, with some repetitions.
-    fn numbers(count: u64) -> Vec<u64> {
+    fn scrambled_numbers(count: u64) -> Vec<u64> {
         (0..count).map(|k| (k.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 20) % (count / 2 + 1)).collect()
     }
 
@@ -323,7 +323,7 @@ mod tests {
         // Also with so few distinct keys that every division is uneven.
         let few = [1, 2, 3].map(|keys| (large, keys));
         for (count, keys) in [0, 1, 2, 1000, large].map(|count| (count, u64::MAX)).into_iter().chain(few) {
-            let mut ours: Vec<u64> = numbers(count).into_iter().map(|number| number % keys).collect();
+            let mut ours: Vec<u64> = scrambled_numbers(count).into_iter().map(|number| number % keys).collect();
             let mut plain = ours.clone();
             sort(&mut ours, u64::cmp, &Job::default(), "sorting").unwrap();
             plain.sort_unstable();
@@ -363,7 +363,7 @@ mod tests {
             let mut selected = sorted.clone();
             sorted.sort_by_key(|&i| keys[i as usize]);
             let middle = keys.len() / 2;
-            select(&mut selected, middle, key);
+            select_by_rank(&mut selected, middle, key);
             prop_assert_eq!(selected[middle], sorted[middle]);
             selected[..middle].sort_by_key(|&i| (keys[i as usize], i));
             prop_assert_eq!(&selected[..middle], &sorted[..middle]);
@@ -398,7 +398,7 @@ mod tests {
     #[test]
     fn select_reported_agrees_with_a_sort() {
         let count = MAX_UNREPORTED_ELEMENTS as u64 + 17;
-        let shuffled = |keys: u64| numbers(count).into_iter().map(|number| number % keys).collect();
+        let shuffled = |keys: u64| scrambled_numbers(count).into_iter().map(|number| number % keys).collect();
         let half = count as usize / 2;
         // With few distinct keys too, and in ascending order.
         let cases: [(Vec<u64>, usize); 4] =
@@ -432,7 +432,8 @@ mod tests {
             }
         }
         let counter = BreakAfterSteps(Cell::new(0));
-        let done = sort(&mut numbers(4 * ELEMENTS_PER_REPORT as u64), u64::cmp, &Job::new(1, &counter), "sorting");
+        let done =
+            sort(&mut scrambled_numbers(4 * ELEMENTS_PER_REPORT as u64), u64::cmp, &Job::new(1, &counter), "sorting");
         assert_eq!((done, counter.0.get()), (Err(crate::Error::Cancelled), 5));
     }
 }

@@ -1,6 +1,6 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{PIECE, Report, counted, format_short, push_line};
+use super::report::{PIECE, Report, count_with_noun, format_short, push_line};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{MAX_COUNT, NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, params};
 use gusset_attributes::{KeepSplits, Origins};
@@ -86,8 +86,8 @@ fn report(found: &Alignment) -> Report {
     let trusted = found.pieces.iter().filter(|piece| piece.reason == Reason::Trusted).count();
     let mut text = format!(
         "{trusted} of {} trusted\n{}: {}\n",
-        counted(found.pieces.len(), PIECE),
-        counted(found.rounds, ["round", "rounds"]),
+        count_with_noun(found.pieces.len(), PIECE),
+        count_with_noun(found.rounds, ["round", "rounds"]),
         if found.converged { "the pieces are at rest" } else { "the pieces still move" }
     );
     for (k, piece) in found.pieces.iter().enumerate() {

@@ -2,7 +2,7 @@ use super::align::explain_reason;
 use super::data::{Input, Output};
 use super::fill_holes::OUTWARD;
 use super::filter::{Filter, FilterBody};
-use super::report::{BOUNDARY_LOOP, EDGE, FACE, PIECE, Report, counted, format_short, push_line};
+use super::report::{BOUNDARY_LOOP, EDGE, FACE, PIECE, Report, count_with_noun, format_short, push_line};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::stitch::{FAIRING, FINISH, MERIDIANS};
 use super::typed_param::{NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, params};
@@ -145,17 +145,17 @@ fn report(done: &Assembly, aligned: Option<&Alignment>) -> Report {
         }
     }
     if let Some(found) = aligned {
-        push_line!(text, "{trusted} of {} trusted", counted(found.pieces.len(), PIECE));
+        push_line!(text, "{trusted} of {} trusted", count_with_noun(found.pieces.len(), PIECE));
     }
     if done.trimmed_faces > 0 {
-        push_line!(text, "{} trimmed from overlaps", counted(done.trimmed_faces, FACE));
+        push_line!(text, "{} trimmed from overlaps", count_with_noun(done.trimmed_faces, FACE));
     }
-    push_line!(text, "{} sewn", counted(done.sewn_edges, EDGE));
+    push_line!(text, "{} sewn", count_with_noun(done.sewn_edges, EDGE));
     for joint in &done.joints {
         let [n, m] = joint.sides.each_ref().map(Vec::len);
         let parts = if joint.whole { "loops" } else { "arcs" };
         let outcome = match joint.outcome {
-            Outcome::Joined => format!("joined by {}", counted(joint.faces.len(), FACE)),
+            Outcome::Joined => format!("joined by {}", count_with_noun(joint.faces.len(), FACE)),
             Outcome::OrientationConflict => "not joined: the surface would become one-sided".to_owned(),
             Outcome::ShareVertex => "not joined: they share a vertex".to_owned(),
             Outcome::NoStrip => "not joined: every strip would use an edge of the mesh again".to_owned(),
@@ -164,7 +164,12 @@ fn report(done: &Assembly, aligned: Option<&Alignment>) -> Report {
         text += &format!("{parts} of {n} and {m} vertices, {} apart: {outcome}\n", format_short(joint.gap));
     }
     let filled = done.holes.iter().filter(|hole| hole.status == fill::HoleStatus::Filled).count();
-    push_line!(text, "{} filled, {} left", counted(filled, ["hole", "holes"]), counted(done.loops_left, BOUNDARY_LOOP));
+    push_line!(
+        text,
+        "{} filled, {} left",
+        count_with_noun(filled, ["hole", "holes"]),
+        count_with_noun(done.loops_left, BOUNDARY_LOOP)
+    );
     for left in &done.left {
         let why = match left.reason {
             Reason::Alone => "there is no other loop".to_owned(),
@@ -187,7 +192,7 @@ fn report(done: &Assembly, aligned: Option<&Alignment>) -> Report {
     }
     let turned = done.turned.iter().filter(|&&turned| turned).count();
     if turned > 0 {
-        push_line!(text, "{} of the pieces reversed", counted(turned, FACE));
+        push_line!(text, "{} of the pieces reversed", count_with_noun(turned, FACE));
     }
     if !done.zero_volume.is_empty() {
         push_line!(text, "components without volume, such as one piece given twice: {}", done.zero_volume.len());

@@ -1,6 +1,6 @@
 use super::data::{Curves, Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{BOUNDARY_LOOP, EDGE, Report, counted, format_short, push_line, push_unlisted_count};
+use super::report::{BOUNDARY_LOOP, EDGE, Report, count_with_noun, format_short, push_line, push_unlisted_count};
 use super::signatures::{ONE_MESH, TO_CURVES_TEXT};
 use super::typed_param::{Param, ParamValues, params};
 use gusset_base::error::Result;
@@ -40,19 +40,23 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
 }
 
 fn report(boundary: &Boundary) -> Report {
-    let mut text = format!("{}, {}\n", counted(boundary.len(), BOUNDARY_LOOP), counted(boundary.edge_count(), EDGE));
+    let mut text = format!(
+        "{}, {}\n",
+        count_with_noun(boundary.len(), BOUNDARY_LOOP),
+        count_with_noun(boundary.edge_count(), EDGE)
+    );
     for (i, found) in boundary.iter().take(MAX_LISTED_LOOPS).enumerate() {
         let kind = if found.flags.any(LoopFlags::OPEN) { "chain" } else { "loop" };
         push_line!(
             text,
             "{kind} {i}: {}, length {}",
-            counted(found.half_edges.len(), EDGE),
+            count_with_noun(found.half_edges.len(), EDGE),
             format_short(found.length)
         );
     }
     push_unlisted_count(&mut text, boundary.len(), MAX_LISTED_LOOPS);
     if !boundary.defects().is_empty() {
-        push_line!(text, "the mesh has {}", counted(boundary.defects().len(), ["defect", "defects"]));
+        push_line!(text, "the mesh has {}", count_with_noun(boundary.defects().len(), ["defect", "defects"]));
     }
     let length = boundary.iter().map(|found| found.length).sum();
     let values = [

@@ -1,6 +1,6 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{BOUNDARY_EDGE, EDGE, FACE, Noun, PIECE, Report, VERTEX, counted};
+use super::report::{BOUNDARY_EDGE, EDGE, FACE, Noun, PIECE, Report, VERTEX, count_with_noun};
 use super::signatures::{ONE_MESH, TO_TEXT};
 use super::typed_param::{LISTED_COUNT_RANGE, Param, ParamValues, params};
 use gusset_base::error::Result;
@@ -37,7 +37,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     for (kind, (noun, _, elements)) in
         defect_kinds(&found).into_iter().enumerate().filter(|(_, defect)| !defect.2.is_empty())
     {
-        text += &format!("{}:", counted(elements.len(), noun));
+        text += &format!("{}:", count_with_noun(elements.len(), noun));
         elements.iter().take(max).for_each(|&element| text += &format!(" {}", name(kind, element)));
         text += if elements.len() > max { " ...\n" } else { "\n" };
     }
@@ -75,11 +75,11 @@ fn check_summary(found: &Check) -> String {
     let genus = found.genus.map_or(String::new(), |genus| format!(", genus {genus}"));
     format!(
         "{}, {}, {}, {}, {}\n{}, {}, {}\nEuler characteristic {}{genus}\n",
-        counted(found.vertices, VERTEX),
-        counted(found.edges, EDGE),
-        counted(found.faces, FACE),
-        counted(found.components, PIECE),
-        counted(found.boundary_walks, ["walk round the boundary", "walks round the boundary"]),
+        count_with_noun(found.vertices, VERTEX),
+        count_with_noun(found.edges, EDGE),
+        count_with_noun(found.faces, FACE),
+        count_with_noun(found.components, PIECE),
+        count_with_noun(found.boundary_walks, ["walk round the boundary", "walks round the boundary"]),
         yes(found.closed, "closed", "not closed"),
         yes(found.manifold, "manifold", "not manifold"),
         match (found.oriented, found.orientable) {

@@ -1,8 +1,8 @@
 use super::curve::{self, CATEGORY, INTERPOLATION, REFERENCE};
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{CURVE, Report, counted, format_short, format_short_point, push_line, push_unlisted_count};
-use super::signatures::{CURVES, TO_TEXT};
+use super::report::{CURVE, Report, count_with_noun, format_short, format_short_point, push_line, push_unlisted_count};
+use super::signatures::{CURVES_ONLY, TO_TEXT};
 use super::typed_param::{ParamValues, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -18,7 +18,7 @@ pub(super) const FILTER: Filter = Filter {
     help: "Measures curves: length, bounding box and enclosed area. A curve that is not plane has the area of its largest \
            projection. An open curve is closed by its chord.",
     reference: REFERENCE,
-    ..Filter::new(CURVES, TO_TEXT, &FilterBody(run))
+    ..Filter::new(CURVES_ONLY, TO_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -39,7 +39,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         }
     }
     push_unlisted_count(&mut text, curves.len(), MAX_LISTED_CURVES);
-    push_line!(text, "{}, length {}", counted(curves.len(), CURVE), format_short(total));
+    push_line!(text, "{}, length {}", count_with_noun(curves.len(), CURVE), format_short(total));
     let values = [("curves", curves.len() as f64), ("length", total)];
     Ok(vec![Output::Text(Report::new(text, &values))])
 }

@@ -1,8 +1,8 @@
 use super::curve::{self, CATEGORY, INTERPOLATION};
 use super::data::{Curves, Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{counted, push_line};
-use super::signatures::{CURVES, TO_CURVES_TEXT};
+use super::report::{count_with_noun, push_line};
+use super::signatures::{CURVES_ONLY, TO_CURVES_TEXT};
 use super::typed_param::{NON_NEGATIVE_RANGE, Param, ParamValues, params};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -19,7 +19,7 @@ pub(super) const FILTER: Filter = Filter {
     help: "Finds where curves intersect, or pass each other within a distance. Each place is a curve of one point, midway \
            between the two curves. Self-intersections are found for curves in the plane z = 0.",
     reference: "Bezier clipping by convex hulls, and Newton's method",
-    ..Filter::new(CURVES, TO_CURVES_TEXT, &FilterBody(run))
+    ..Filter::new(CURVES_ONLY, TO_CURVES_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -68,9 +68,9 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     push_line!(
         text,
         "{}, {} shared or within the distance, {} undecided",
-        counted(places.closed.len(), ["place", "places"]),
-        counted(overlaps, ["part", "parts"]),
-        counted(undecided, ["pair of curves", "pairs of curves"])
+        count_with_noun(places.closed.len(), ["place", "places"]),
+        count_with_noun(overlaps, ["part", "parts"]),
+        count_with_noun(undecided, ["pair of curves", "pairs of curves"])
     );
     Ok(vec![Output::Curves(places), Output::Text(text.into())])
 }

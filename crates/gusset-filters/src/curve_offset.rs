@@ -1,8 +1,8 @@
 use super::curve::{self, CATEGORY, CHORD_ERROR, CurvePlane, INTERPOLATION, PLANE};
 use super::data::{Curves, Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{counted, push_line};
-use super::signatures::{CURVES, TO_CURVES_TEXT};
+use super::report::{count_with_noun, push_line};
+use super::signatures::{CURVES_ONLY, TO_CURVES_TEXT};
 use super::typed_param::{COORDINATE_RANGE, Param, ParamValues, PlaneValue, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -19,7 +19,7 @@ pub(super) const FILTER: Filter = Filter {
     help: "Draws the offset curves of plane curves, on their left as seen against the normal of the plane. Straight segments \
            join the corners. An offset intersects itself where the distance exceeds the radius of curvature.",
     reference: "Hermite interpolation of the exact offset, halved until the deviation measured is small enough",
-    ..Filter::new(CURVES, TO_CURVES_TEXT, &FilterBody(run))
+    ..Filter::new(CURVES_ONLY, TO_CURVES_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -54,7 +54,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         push_line!(
             text,
             "curve {c}: {}, at most {:.1e} from the true offset{reached}{tight}",
-            counted(offset.corners, ["corner", "corners"]),
+            count_with_noun(offset.corners, ["corner", "corners"]),
             offset.deviation
         );
     }

@@ -1,7 +1,7 @@
 use super::curve::{self, CATEGORY, CHORD_ERROR, INTERPOLATION, REFERENCE};
 use super::data::{Curves, Input, Output, OutputKind};
 use super::filter::{Filter, FilterBody};
-use super::signatures::CURVES;
+use super::signatures::CURVES_ONLY;
 use super::typed_param::{LENGTH_RANGE, Param, ParamValues, params};
 use gusset_base::choices;
 use gusset_base::error::Result;
@@ -17,7 +17,7 @@ pub(super) const FILTER: Filter = Filter {
            within the chord error of the curve.",
     reference: REFERENCE,
     replaces: true,
-    ..Filter::new(CURVES, &[OutputKind::Curves], &FilterBody(run))
+    ..Filter::new(CURVES_ONLY, &[OutputKind::Curves], &FilterBody(run))
 };
 
 params! {

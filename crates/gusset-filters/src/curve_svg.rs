@@ -1,7 +1,7 @@
 use super::curve::{CATEGORY, CurvePlane, INTERPOLATION, PLANE, REFERENCE};
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::signatures::{CURVES, TO_TEXT};
+use super::signatures::{CURVES_ONLY, TO_TEXT};
 use super::typed_param::{Param, ParamValues, PlaneValue, params};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -16,7 +16,7 @@ pub(super) const FILTER: Filter = Filter {
     help: "Writes plane curves as the data of SVG paths, one line for each curve. Numbers keep every bit. Smooth curves become \
            Bezier curves.",
     reference: REFERENCE,
-    ..Filter::new(CURVES, TO_TEXT, &FilterBody(run))
+    ..Filter::new(CURVES_ONLY, TO_TEXT, &FilterBody(run))
 };
 
 params! {

@@ -1,7 +1,7 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
 use super::moving::CATEGORY;
-use super::report::{FACE, Report, counted, push_line};
+use super::report::{FACE, Report, count_with_noun, push_line};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{Param, ParamValues, params};
 use gusset_attributes::Origins;
@@ -59,7 +59,7 @@ fn report(done: &Developed) -> Report {
     let stretch = done.stretches.iter().fold([1.0f64; 2], |all, s| [all[0].max(s[0]), all[1].min(s[1])]);
     let mut text = format!(
         "{} in {} charts, {exact} of them without distortion; {} edges cut, {} darts\n",
-        counted(done.stretches.len(), FACE),
+        count_with_noun(done.stretches.len(), FACE),
         done.charts.len(),
         done.cut_edges.len(),
         done.darts

@@ -1,7 +1,7 @@
 use super::data::{Curves, Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{POINT, counted, push_line};
-use super::signatures::{CURVES, TO_CURVES_TEXT};
+use super::report::{POINT, count_with_noun, push_line};
+use super::signatures::{CURVES_ONLY, TO_CURVES_TEXT};
 use super::typed_param::{MAX_COUNT, NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, TypedParam, params};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -16,7 +16,7 @@ pub(super) const FILTER: Filter = Filter {
     help: "Finds the points of two loops that face each other. A point faces the other loop if it lies on that side of the \
            plane through the centre of its own loop. The arcs that stitching would join come first, then the other arcs.",
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking, algorithm 2",
-    ..Filter::new(CURVES, TO_CURVES_TEXT, &FilterBody(run))
+    ..Filter::new(CURVES_ONLY, TO_CURVES_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -68,7 +68,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
             text,
             "{kind} of the {name} loop: {} of {}, from point {} on",
             arc.count,
-            counted(own.len(), POINT),
+            count_with_noun(own.len(), POINT),
             arc.first
         );
     }

@@ -1,6 +1,6 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{BOUNDARY_LOOP, FACE, Report, counted, format_short};
+use super::report::{BOUNDARY_LOOP, FACE, Report, count_with_noun, format_short};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{MAX_COUNT, NON_NEGATIVE_RANGE, Param, ParamValues, TypedParam, params};
 use gusset_attributes::{KeepSplits, Origins};
@@ -120,7 +120,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
 pub(super) fn turned_outwards_line(faces: &[u32]) -> String {
     match faces.len() {
         0 => String::new(),
-        n => format!("{} reversed, to face outwards\n", counted(n, FACE)),
+        n => format!("{} reversed, to face outwards\n", count_with_noun(n, FACE)),
     }
 }
 
@@ -128,8 +128,11 @@ fn report(old: &MeshView<'_>, done: &Filled, plan_only: bool) -> Report {
     let filled = done.holes.iter().filter(|hole| hole.status == HoleStatus::Filled);
     let count = filled.clone().count();
     let patches = if plan_only { count } else { filled.map(|hole| hole.patch as usize + 1).max().unwrap_or(0) };
-    let joined =
-        if patches < count { format!(" with {}", counted(patches, ["patch", "patches"])) } else { String::new() };
+    let joined = if patches < count {
+        format!(" with {}", count_with_noun(patches, ["patch", "patches"]))
+    } else {
+        String::new()
+    };
     let faces = done.mesh.face_count() - old.faces().len();
     let vertices = done.parents.len();
     let (area, angle) = (done.quality.area, done.quality.min_angle.to_degrees());
@@ -142,10 +145,10 @@ fn report(old: &MeshView<'_>, done: &Filled, plan_only: bool) -> Report {
     let cuts = intersections_line(done.intersections.as_deref());
     let text = format!(
         "{verb} {count} of {}{joined} by {} and {}\n{measures}{cuts}{turned}{} left\n",
-        counted(done.holes.len(), BOUNDARY_LOOP),
-        counted(faces, FACE),
-        counted(vertices, ["new vertex", "new vertices"]),
-        counted(done.quality.loops_left, BOUNDARY_LOOP)
+        count_with_noun(done.holes.len(), BOUNDARY_LOOP),
+        count_with_noun(faces, FACE),
+        count_with_noun(vertices, ["new vertex", "new vertices"]),
+        count_with_noun(done.quality.loops_left, BOUNDARY_LOOP)
     );
     let mut values = vec![
         ("filled_loops", count as f64),
@@ -169,6 +172,8 @@ pub(super) fn intersections_line(pairs: Option<&[[u32; 2]]>) -> String {
     match pairs {
         None => String::new(),
         Some([]) => "no faces intersect\n".to_owned(),
-        Some(pairs) => format!("{}\n", counted(pairs.len(), ["pair of faces intersects", "pairs of faces intersect"])),
+        Some(pairs) => {
+            format!("{}\n", count_with_noun(pairs.len(), ["pair of faces intersects", "pairs of faces intersect"]))
+        }
     }
 }

@@ -1,8 +1,8 @@
 use super::curve::REFERENCE;
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{Report, counted};
-use super::signatures::{CURVES, TO_MESH_TEXT};
+use super::report::{Report, count_with_noun};
+use super::signatures::{CURVES_ONLY, TO_MESH_TEXT};
 use super::smooth::{self, CATEGORY, DEVIATION, MIN_PARTS_PER_SIDE, TRIANGLES};
 use super::typed_param::{Param, ParamValues, params};
 use glam::DVec3;
@@ -22,7 +22,7 @@ pub(super) const FILTER: Filter = Filter {
     help: "Draws a smooth surface through consecutive sections of a body, all closed or all open. Nodes are placed on the \
            sections, curves are drawn along the body, and a surface through both is returned as a mesh.",
     reference: REFERENCE,
-    ..Filter::new(CURVES, TO_MESH_TEXT, &FilterBody(run))
+    ..Filter::new(CURVES_ONLY, TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -104,15 +104,15 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     Ok(vec![Output::Mesh(mesh, None), Output::Text(Report::new(text, meshed.values()))])
 }
 
-const NODE: [&str; 2] = ["node", "nodes"];
+const NODE_NOUN: [&str; 2] = ["node", "nodes"];
 
 fn report(made: &Frame) -> String {
     let turned = made.grid.turned.iter().filter(|&&turned| turned != 0).count();
     format!(
         "{} of {}, {turned} of them reversed, {} ambiguous; twist at most {:.1} degrees\n",
-        counted(made.grid.rows, ["section", "sections"]),
-        counted(made.grid.columns, NODE),
-        counted(made.grid.ambiguous.len(), NODE),
+        count_with_noun(made.grid.rows, ["section", "sections"]),
+        count_with_noun(made.grid.columns, NODE_NOUN),
+        count_with_noun(made.grid.ambiguous.len(), NODE_NOUN),
         made.grid.max_twist.to_degrees()
     )
 }

@@ -1,7 +1,7 @@
 use super::data::{Curves, Input, Output, require_same_faces};
 use super::filter::{Filter, FilterBody};
 use super::quads::CATEGORY;
-use super::report::{EDGE, FACE, counted, format_short};
+use super::report::{EDGE, FACE, count_with_noun, format_short};
 use super::signatures::{TO_CURVES_TEXT, TWO_MESHES};
 use super::typed_param::{LISTED_COUNT_RANGE, NON_NEGATIVE_RANGE, Param, ParamValues, params};
 use gusset_base::error::Result;
@@ -47,9 +47,9 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let mut text = format!(
         "a {kind} deformation: {} contracted to points, {} torn, {} folded\n\
          lengths of edges times {}, areas of faces times {}\n",
-        counted(found.contracted.len(), EDGE),
+        count_with_noun(found.contracted.len(), EDGE),
         found.torn.len(),
-        counted(found.folded.len(), FACE),
+        count_with_noun(found.folded.len(), FACE),
         ratio_range_text(&found.links),
         ratio_range_text(&found.cells)
     );

@@ -1,7 +1,7 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
 use super::quads::{self, CATEGORY, TRIANGLES};
-use super::report::{COLUMN, ROW, counted};
+use super::report::{COLUMN, ROW, count_with_noun};
 use super::signatures::{TO_MESH_TEXT, TWO_MESHES};
 use super::typed_param::{MAX_COUNT, NON_NEGATIVE_RANGE, Param, ParamValues, TypedParam, params};
 use gusset_base::error::Result;
@@ -84,9 +84,9 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let shape = joined.shape();
     let text = format!(
         "{} joined to {} and {}\n",
-        counted(inputs.len(), ["grid", "grids"]),
-        counted(shape.rows(), ROW),
-        counted(shape.columns(), COLUMN)
+        count_with_noun(inputs.len(), ["grid", "grids"]),
+        count_with_noun(shape.rows(), ROW),
+        count_with_noun(shape.columns(), COLUMN)
     );
     Ok(vec![
         Output::Mesh(quads::mesh_of_net(&joined, values.triangles, &job.part(0.7, 1.0))?, None),

@@ -2,8 +2,8 @@ use super::curve::{self, INTERPOLATION};
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
-use super::report::{QUAD, ROW, counted};
-use super::signatures::{CURVES, TO_MESH_TEXT};
+use super::report::{QUAD, ROW, count_with_noun};
+use super::signatures::{CURVES_ONLY, TO_MESH_TEXT};
 use super::typed_param::{Param, ParamValues, params};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -22,7 +22,7 @@ pub(super) const FILTER: Filter = Filter {
     help: "Revolves a curve about an axis. The result is a quad grid whose rows are circles, with a pole where the curve meets \
            the axis. Only the height of each point along the axis and its distance from the axis count.",
     reference: REFERENCE,
-    ..Filter::new(CURVES, TO_MESH_TEXT, &FilterBody(run))
+    ..Filter::new(CURVES_ONLY, TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -87,7 +87,11 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let (u, v) = axis.any_orthonormal_pair();
     let rows = [0, 1, 2].map(|k| [u[k], v[k], axis[k], origin[k]]);
     transform(&mut net, &Affine::new(rows)?, &job.part(0.5, 0.6))?;
-    let text = format!("{} of {}\n", counted(net.shape().rows() - 1, ROW), counted(net.shape().columns() - 1, QUAD));
+    let text = format!(
+        "{} of {}\n",
+        count_with_noun(net.shape().rows() - 1, ROW),
+        count_with_noun(net.shape().columns() - 1, QUAD)
+    );
     Ok(vec![
         Output::Mesh(quads::mesh_of_net(&net, values.triangles, &job.part(0.6, 1.0))?, None),
         Output::Text(text.into()),

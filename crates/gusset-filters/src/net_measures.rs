@@ -1,7 +1,7 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
 use super::quads::{self, CATEGORY};
-use super::report::{BOUNDARY_LOOP, COLUMN, QUAD, ROW, Report, counted, format_short, format_short_point};
+use super::report::{BOUNDARY_LOOP, COLUMN, QUAD, ROW, Report, count_with_noun, format_short, format_short_point};
 use super::signatures::{ONE_MESH, TO_TEXT};
 use super::typed_param::{Param, ParamValues, params};
 use gusset_base::error::Result;
@@ -36,14 +36,14 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let mut text = format!(
         "{}, {} of vertices\n{sided}, Euler characteristic {}, {}\narea {}, box {} to {}\n\
          {} off the plane by more than the limit, mean {:.3e}, most {:.3e} (face {})\n",
-        counted(net.shape().rows(), ROW),
-        counted(net.shape().columns(), COLUMN),
+        count_with_noun(net.shape().rows(), ROW),
+        count_with_noun(net.shape().columns(), COLUMN),
         complex.euler_characteristic(),
-        counted(complex.boundary.len(), BOUNDARY_LOOP),
+        count_with_noun(complex.boundary.len(), BOUNDARY_LOOP),
         format_short(measures.area),
         format_short_point(measures.low),
         format_short_point(measures.high),
-        counted(plane.above, QUAD),
+        count_with_noun(plane.above, QUAD),
         plane.mean,
         plane.worst.map_or(0.0, |worst| worst.0),
         plane.worst.map_or(0, |worst| worst.1)

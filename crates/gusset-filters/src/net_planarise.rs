@@ -1,7 +1,7 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
 use super::quads::{self, CATEGORY};
-use super::report::{Report, counted, format_short};
+use super::report::{Report, count_with_noun, format_short};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{Param, ParamValues, params};
 use gusset_base::alloc;
@@ -57,7 +57,7 @@ fn report(done: &Planarised) -> Report {
         if done.converged { "" } else { ", more than the tolerance" },
         format_short(done.max_displacement),
         format_short(done.rms_displacement),
-        counted(done.iterations, ["step", "steps"])
+        count_with_noun(done.iterations, ["step", "steps"])
     );
     let values = [
         ("deviation_before", done.deviation_before),

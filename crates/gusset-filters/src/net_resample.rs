@@ -1,7 +1,7 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
-use super::report::{COLUMN, ROW, counted};
+use super::report::{COLUMN, ROW, count_with_noun};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{Param, ParamValues, params};
 use gusset_base::error::Result;
@@ -53,8 +53,11 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let [rows, columns] = [values.rows, values.columns].map(|count| count as usize);
     let made = resample(&net, rows, columns, values.interpolation, &job.part(0.4, 0.7))?;
     let shape = net.shape();
-    let text =
-        format!("{} and {} made {rows} and {columns}\n", counted(shape.rows(), ROW), counted(shape.columns(), COLUMN));
+    let text = format!(
+        "{} and {} made {rows} and {columns}\n",
+        count_with_noun(shape.rows(), ROW),
+        count_with_noun(shape.columns(), COLUMN)
+    );
     Ok(vec![
         Output::Mesh(quads::mesh_of_net(&made, values.triangles, &job.part(0.7, 1.0))?, None),
         Output::Text(text.into()),

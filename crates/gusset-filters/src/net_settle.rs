@@ -2,7 +2,7 @@ use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
 use super::net_join::{DIFFERENT_SIZES, DIRECTION, TURN, TWIST, join_grids};
 use super::quads::{self, CATEGORY, TRIANGLES};
-use super::report::{Report, counted, format_short};
+use super::report::{Report, count_with_noun, format_short};
 use super::signatures::{TO_MESH_TEXT, TWO_MESHES};
 use super::typed_param::{NON_NEGATIVE_RANGE, Param, ParamValues, params};
 use gusset_base::error::Result;
@@ -77,17 +77,17 @@ fn report(done: &Settled) -> Report {
     let energy = done.tension_energy + done.elastic_energy + done.bending_energy;
     let collapsed = match done.collapsed {
         0 => String::new(),
-        count => format!("{} collapsed\n", counted(count, ["film", "films"])),
+        count => format!("{} collapsed\n", count_with_noun(count, ["film", "films"])),
     };
     let text = format!(
         "{} settled, {} without forces; energy {} before, {} now\nlargest force left {}, largest displacement {}; {}{}\n{collapsed}",
-        counted(done.settled, ["bridge", "bridges"]),
+        count_with_noun(done.settled, ["bridge", "bridges"]),
         done.idle,
         format_short(done.energy_before),
         format_short(energy),
         format_short(done.residual_force),
         format_short(done.max_displacement),
-        counted(done.iterations, ["step", "steps"]),
+        count_with_noun(done.iterations, ["step", "steps"]),
         if done.converged { "" } else { ", not converged" }
     );
     let values = [

@@ -1,7 +1,7 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
-use super::report::{BOUNDARY_LOOP, EDGE, QUAD, Report, TRIANGLE, VERTEX, counted};
+use super::report::{BOUNDARY_LOOP, EDGE, QUAD, Report, TRIANGLE, VERTEX, count_with_noun};
 use super::signatures::TO_MESH_TEXT;
 use super::typed_param::{LENGTH_RANGE, Param, ParamValues, params};
 use gusset_base::choices;
@@ -94,12 +94,12 @@ fn run(_: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<V
     let mesh = quads::mesh_of_net(&net, values.triangles, &job.part(0.7, 1.0))?;
     let text = format!(
         "{}, {}, {}, {}\nEuler characteristic {}, {}\n",
-        counted(complex.vertices, VERTEX),
-        counted(complex.edges, EDGE),
-        counted(complex.quads, QUAD),
-        counted(complex.triangles, TRIANGLE),
+        count_with_noun(complex.vertices, VERTEX),
+        count_with_noun(complex.edges, EDGE),
+        count_with_noun(complex.quads, QUAD),
+        count_with_noun(complex.triangles, TRIANGLE),
         complex.euler_characteristic(),
-        counted(complex.boundary.len(), BOUNDARY_LOOP)
+        count_with_noun(complex.boundary.len(), BOUNDARY_LOOP)
     );
     let values = [
         ("vertices", complex.vertices as f64),

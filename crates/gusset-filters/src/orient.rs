@@ -1,6 +1,6 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{FACE, PIECE, Report, counted, push_line, push_unlisted_count};
+use super::report::{FACE, PIECE, Report, count_with_noun, push_line, push_unlisted_count};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{Param, ParamValues, params};
 use gusset_attributes::{KeepSplits, Origins};
@@ -40,8 +40,8 @@ fn report(done: &Oriented) -> Report {
     let mut text = format!(
         "{} of {} reversed, {}\n",
         done.turned_faces,
-        counted(done.turned.len(), FACE),
-        counted(done.components, PIECE)
+        count_with_noun(done.turned.len(), FACE),
+        count_with_noun(done.components, PIECE)
     );
     for found in done.one_sided.iter().take(MAX_LISTED) {
         push_line!(text, "the piece of face {} is one-sided (half-edge {})", found.face, found.half_edge);

@@ -1,8 +1,8 @@
 use super::curve::{CATEGORY, CHORD_ERROR, REFERENCE, sample_curve};
 use super::data::{Curves, Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{POINT, counted, push_line};
-use super::signatures::{CURVES, TO_CURVES_TEXT};
+use super::report::{POINT, count_with_noun, push_line};
+use super::signatures::{CURVES_ONLY, TO_CURVES_TEXT};
 use super::typed_param::{Param, ParamValues, params};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -35,7 +35,7 @@ pub(super) const FILTER: Filter = Filter {
     help: "Draws smooth Bezier curves through all points of polylines, and returns them as finer polylines. Each point is the \
            middle of a quadratic section, whose control point lies on the bisector, the median or the normal at the point.",
     reference: REFERENCE,
-    ..Filter::new(CURVES, TO_CURVES_TEXT, &FilterBody(run))
+    ..Filter::new(CURVES_ONLY, TO_CURVES_TEXT, &FilterBody(run))
 };
 
 fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Result<Vec<Output>> {
@@ -77,9 +77,9 @@ fn report(done: &Fit) -> String {
     let missed = done.statuses().iter().filter(|&&status| status == PointStatus::Missed).count();
     format!(
         "{}, {}, {what}; {} with a status of {} own, {missed} missed; largest miss {:.1e} of the size",
-        counted(done.statuses().len(), POINT),
-        counted(done.curve(0).len(), ["segment", "segments"]),
-        counted(account.not_ok, POINT),
+        count_with_noun(done.statuses().len(), POINT),
+        count_with_noun(done.curve(0).len(), ["segment", "segments"]),
+        count_with_noun(account.not_ok, POINT),
         if account.not_ok == 1 { "its" } else { "their" },
         account.max_residual
     )

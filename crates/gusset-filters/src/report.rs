@@ -62,24 +62,26 @@ pub(super) const ROW: Noun = ["row", "rows"];
 pub(super) const COLUMN: Noun = ["column", "columns"];
 
 /// A number of things: "1 face", "2 faces".
-pub(super) fn counted<N: Display + PartialEq + From<u8> + Copy>(count: N, [one, many]: Noun) -> String {
+pub(super) fn count_with_noun<N: Display + PartialEq + From<u8> + Copy>(count: N, [one, many]: Noun) -> String {
     let noun = if count == N::from(1) { one } else { many };
     format!("{count} {noun}")
 }
 
 /// Six significant digits, without zeros behind them.
 pub(super) fn format_short(value: f64) -> String {
-    const DIGITS: i32 = 6;
+    const SIGNIFICANT_DIGITS: i32 = 6;
     let trimmed = |digits: &str| match digits.contains('.') {
         true => digits.trim_end_matches('0').trim_end_matches('.').to_owned(),
         false => digits.to_owned(),
     };
     // No sign before 0.
     let value = value + 0.0;
-    let scientific = format!("{value:.*e}", DIGITS as usize - 1);
+    let scientific = format!("{value:.*e}", SIGNIFICANT_DIGITS as usize - 1);
     let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific };
     match exponent.parse::<i32>() {
-        Ok(power @ -5..DIGITS) => trimmed(&format!("{value:.*}", (DIGITS - 1 - power) as usize)),
+        Ok(power @ -5..SIGNIFICANT_DIGITS) => {
+            trimmed(&format!("{value:.*}", (SIGNIFICANT_DIGITS - 1 - power) as usize))
+        }
         _ => format!("{}e{exponent}", trimmed(mantissa)),
     }
 }
@@ -126,7 +128,7 @@ pub(super) fn distance_report(of_what: Noun, distances: impl Iterator<Item = f64
     let (mean, root) = (sum / number, largest * (squares / number).sqrt());
     let text = format!(
         "{}: largest distance {}, mean {}, root mean square {}\n",
-        counted(count, of_what),
+        count_with_noun(count, of_what),
         format_short(largest),
         format_short(mean),
         format_short(root)

@@ -1,6 +1,6 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{EDGE, FACE, Report, VERTEX, counted};
+use super::report::{EDGE, FACE, Report, VERTEX, count_with_noun};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{ParamValues, params};
 use super::weld::{DROP_UNUSED_VERTICES, TOLERANCE};
@@ -40,11 +40,11 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
 fn report(done: &Sew) -> Report {
     let text = format!(
         "{} welded, {} sewn, {} split at {}\nnot welded: {} that lie on other vertices or on edges\n",
-        counted(done.welded_vertices, VERTEX),
-        counted(done.sewn_edges, EDGE),
-        counted(done.split_faces, FACE),
-        counted(done.splits, ["point", "points"]),
-        counted(done.left_vertices.len(), VERTEX)
+        count_with_noun(done.welded_vertices, VERTEX),
+        count_with_noun(done.sewn_edges, EDGE),
+        count_with_noun(done.split_faces, FACE),
+        count_with_noun(done.splits, ["point", "points"]),
+        count_with_noun(done.left_vertices.len(), VERTEX)
     );
     let values = [
         ("welded_vertices", f64::from(done.welded_vertices)),

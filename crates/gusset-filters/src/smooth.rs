@@ -2,7 +2,7 @@
 
 use super::curve;
 use super::data::Curves;
-use super::report::{CURVE, FACE, POINT, Report, VERTEX, counted};
+use super::report::{CURVE, FACE, POINT, Report, VERTEX, count_with_noun};
 use super::typed_param::{Param, TypedParam};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -81,8 +81,8 @@ pub(super) fn mesh_surface(
     let (vertices, faces) = (made.places.len(), made.mesh.face_count());
     let text = format!(
         "{}, {}, at most {:.1e} from the surface\n",
-        counted(vertices, VERTEX),
-        counted(faces, FACE),
+        count_with_noun(vertices, VERTEX),
+        count_with_noun(faces, FACE),
         made.deviation
     );
     let values = [("vertices", vertices as f64), ("faces", faces as f64), ("deviation", made.deviation)];
@@ -122,8 +122,8 @@ pub(super) fn paths_summary(paths: &Paths) -> String {
     let closed = paths.closed.iter().filter(|&&closed| closed).count();
     format!(
         "{}, {closed} of them closed, {}; {} unresolved\n",
-        counted(paths.len(), CURVE),
-        counted(paths.points.len(), POINT),
-        counted(paths.unresolved.len(), ["cell", "cells"])
+        count_with_noun(paths.len(), CURVE),
+        count_with_noun(paths.points.len(), POINT),
+        count_with_noun(paths.unresolved.len(), ["cell", "cells"])
     )
 }

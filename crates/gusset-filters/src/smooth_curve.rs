@@ -1,7 +1,7 @@
 use super::curve::{self, INTERPOLATION};
 use super::data::{Curves, Input, InputKind, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{HIT, counted, format_short, format_short_point, push_line};
+use super::report::{HIT, count_with_noun, format_short, format_short_point, push_line};
 use super::signatures::TO_CURVES_TEXT;
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
 use super::typed_param::{ParamValues, params};
@@ -49,6 +49,6 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
             }
         }
     }
-    push_line!(text, "{}", counted(points.closed.len(), HIT));
+    push_line!(text, "{}", count_with_noun(points.closed.len(), HIT));
     Ok(vec![Output::Curves(points), Output::Text(text.into())])
 }

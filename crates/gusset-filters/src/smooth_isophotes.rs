@@ -1,6 +1,6 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{CURVE, counted, push_line};
+use super::report::{CURVE, count_with_noun, push_line};
 use super::signatures::{ONE_MESH, TO_CURVES_TEXT};
 use super::smooth::{self, CATEGORY, CHORD_ERROR, REFERENCE, SCHEME};
 use super::typed_param::{Param, ParamValues, params};
@@ -53,7 +53,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let mut counts = alloc::filled(0, number)?;
     paths.levels.iter().for_each(|&level| counts[level as usize] += 1);
     for (angle, count) in angles.iter().zip(counts) {
-        push_line!(text, "{:.4} degrees: {}", angle.to_degrees(), counted(count, CURVE));
+        push_line!(text, "{:.4} degrees: {}", angle.to_degrees(), count_with_noun(count, CURVE));
     }
     Ok(vec![Output::Curves(smooth::paths_to_curves(&paths)?), Output::Text(text.into())])
 }

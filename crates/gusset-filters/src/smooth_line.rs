@@ -1,6 +1,6 @@
 use super::data::{Curves, Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{HIT, counted, format_short, format_short_point, push_line};
+use super::report::{HIT, count_with_noun, format_short, format_short_point, push_line};
 use super::signatures::{ONE_MESH, TO_CURVES_TEXT};
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
 use super::typed_param::{Param, ParamValues, params};
@@ -46,7 +46,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let (is_ray, selection) = values.which;
     let line = if is_ray { Line::ray } else { Line::new }(values.point, values.direction);
     let hits = surface.line(&line, selection)?;
-    let (mut points, mut text) = (Curves::empty(), format!("{}\n", counted(hits.len(), HIT)));
+    let (mut points, mut text) = (Curves::empty(), format!("{}\n", count_with_noun(hits.len(), HIT)));
     for hit in &hits {
         points.add_curve([hit.point].into_iter(), false)?;
         let touches = if hit.tangent { ", touches" } else { "" };

@@ -2,7 +2,7 @@ use super::data::{Input, Output};
 use super::facing_arcs::{FACING_ARC, FACING_TOLERANCE};
 use super::fill_holes::{OUTWARD, intersections_line, turned_outwards_line};
 use super::filter::{Filter, FilterBody};
-use super::report::{BOUNDARY_LOOP, FACE, Report, counted, format_short};
+use super::report::{BOUNDARY_LOOP, FACE, Report, count_with_noun, format_short};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{MAX_COUNT, Param, ParamValues, TypedParam, params};
 use gusset_attributes::{KeepSplits, Origins};
@@ -158,7 +158,7 @@ fn report(done: &Stitch) -> Report {
     let parts = if done.closed { "loops" } else { "arcs" };
     let left = match loops_left {
         0 => "the result is closed".to_owned(),
-        n => format!("{} left", counted(n, BOUNDARY_LOOP)),
+        n => format!("{} left", count_with_noun(n, BOUNDARY_LOOP)),
     };
     let cuts = intersections_line(done.intersections.as_deref());
     let [a, b] = done.rims.each_ref().map(Vec::len);
@@ -166,8 +166,8 @@ fn report(done: &Stitch) -> Report {
         "joined {parts} of {a} and {b} vertices by {}, {}\n{turned}\
          area {}, longest edge {}, smallest angle {:.2} degrees, largest aspect ratio {max_aspect:.2}\n\
          {cuts}{outwards}{left}\n",
-        counted(done.strip_faces.len(), FACE),
-        counted(done.rows, ["interior row", "interior rows"]),
+        count_with_noun(done.strip_faces.len(), FACE),
+        count_with_noun(done.rows, ["interior row", "interior rows"]),
         format_short(area),
         format_short(max_edge),
         min_angle.to_degrees()

@@ -1,7 +1,7 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{FACE, counted};
-use super::signatures::{CURVES, TO_MESH_TEXT};
+use super::report::{FACE, count_with_noun};
+use super::signatures::{CURVES_ONLY, TO_MESH_TEXT};
 use super::stitch::{CELLS, MERIDIANS, MakeRows, ROW_COUNT, ROWS};
 use super::typed_param::{Param, ParamValues, params};
 use glam::DVec3;
@@ -17,7 +17,7 @@ pub(super) const FILTER: Filter = Filter {
     help: "Spans a strip of faces between two polylines, both closed or both open, that run side by side in the same direction.",
     reference: "H. Fuchs, Z. Kedem, S. Uselton, Optimal surface reconstruction from planar contours, 1977; S. Nesterenko for \
                 the rule by index",
-    ..Filter::new(CURVES, TO_MESH_TEXT, &FilterBody(run))
+    ..Filter::new(CURVES_ONLY, TO_MESH_TEXT, &FilterBody(run))
 };
 
 params! {
@@ -65,7 +65,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let made = ruled(&a, &b, closed, &options, job)?;
     let text = format!(
         "{}, the first meridian from point {} to point {}\n",
-        counted(made.mesh.face_count(), FACE),
+        count_with_noun(made.mesh.face_count(), FACE),
         made.start[0],
         made.start[1]
     );

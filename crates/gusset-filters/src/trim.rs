@@ -1,6 +1,6 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{FACE, Report, VERTEX, counted, push_line};
+use super::report::{FACE, Report, VERTEX, count_with_noun, push_line};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{MAX_COUNT, NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, params};
 use gusset_attributes::{KeepSplits, Origins};
@@ -61,14 +61,14 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
 fn report(pieces: &[MeshView<'_>], trimmed: &Trimmed) -> Report {
     let kept: usize = trimmed.kept.iter().map(Vec::len).sum();
     let all: usize = pieces.iter().map(|piece| piece.faces().len()).sum();
-    let mut text = format!("{kept} of {} kept\n", counted(all, FACE));
+    let mut text = format!("{kept} of {} kept\n", count_with_noun(all, FACE));
     for (k, (piece, (kept, &covered))) in pieces.iter().zip(trimmed.kept.iter().zip(&trimmed.covered)).enumerate() {
         let verb = if covered == 1 { "lies" } else { "lie" };
-        let (faces, vertices) = (counted(piece.faces().len(), FACE), counted(covered, VERTEX));
+        let (faces, vertices) = (count_with_noun(piece.faces().len(), FACE), count_with_noun(covered, VERTEX));
         push_line!(text, "piece {k}: {} of {faces} kept, {vertices} {verb} on other pieces", kept.len());
     }
     if trimmed.crossings > 0 {
-        push_line!(text, "{} dropped that intersected other pieces", counted(trimmed.crossings, FACE));
+        push_line!(text, "{} dropped that intersected other pieces", count_with_noun(trimmed.crossings, FACE));
     }
     let values = [
         ("kept_faces", kept as f64),

@@ -112,7 +112,7 @@ impl Param {
         Param { id: "", label, help, kind, min, max, default, step, choices: &[], suggestion: None }
     }
 
-    const fn typed<T>(
+    const fn new_typed<T>(
         kind: ParamKind,
         texts: [&'static str; 2],
         range: [f64; 2],
@@ -129,7 +129,7 @@ impl Param {
         range: [f64; 2],
         default: &'static [f64],
     ) -> TypedParam<u32> {
-        Param::typed(ParamKind::Int, [label, help], range, default, |v| v[0] as u32)
+        Param::new_typed(ParamKind::Int, [label, help], range, default, |v| v[0] as u32)
     }
 
     /// A whole number of either sign.
@@ -139,7 +139,7 @@ impl Param {
         range: [f64; 2],
         default: &'static [f64],
     ) -> TypedParam<i64> {
-        Param::typed(ParamKind::Int, [label, help], range, default, |v| v[0] as i64)
+        Param::new_typed(ParamKind::Int, [label, help], range, default, |v| v[0] as i64)
     }
 
     /// A number without a unit.
@@ -149,7 +149,7 @@ impl Param {
         range: [f64; 2],
         default: &'static [f64],
     ) -> TypedParam<f64> {
-        Param::typed(ParamKind::Real, [label, help], range, default, |v| v[0])
+        Param::new_typed(ParamKind::Real, [label, help], range, default, |v| v[0])
     }
 
     /// A length.
@@ -159,7 +159,7 @@ impl Param {
         range: [f64; 2],
         default: &'static [f64],
     ) -> TypedParam<f64> {
-        Param::typed(ParamKind::Length, [label, help], range, default, |v| v[0])
+        Param::new_typed(ParamKind::Length, [label, help], range, default, |v| v[0])
     }
 
     /// An angle.
@@ -169,7 +169,7 @@ impl Param {
         range: [f64; 2],
         default: &'static [f64],
     ) -> TypedParam<f64> {
-        Param::typed(ParamKind::Angle, [label, help], range, default, |v| v[0])
+        Param::new_typed(ParamKind::Angle, [label, help], range, default, |v| v[0])
     }
 
     /// A point.
@@ -178,19 +178,19 @@ impl Param {
         help: &'static str,
         default: &'static [f64; 3],
     ) -> TypedParam<DVec3> {
-        Param::typed(ParamKind::Point, [label, help], COORDINATE_RANGE, default, to_vector)
+        Param::new_typed(ParamKind::Point, [label, help], COORDINATE_RANGE, default, to_vector)
     }
 
     /// A direction, read as a unit vector; the z axis by default.
     pub(super) const fn direction(label: &'static str, help: &'static str) -> TypedParam<DVec3> {
-        Param::typed(ParamKind::Direction, [label, help], COORDINATE_RANGE, &[0.0, 0.0, 1.0], |v| {
+        Param::new_typed(ParamKind::Direction, [label, help], COORDINATE_RANGE, &[0.0, 0.0, 1.0], |v| {
             unit_vector_and_length(v).0
         })
     }
 
     /// A plane; z = 0 by default.
     pub(super) const fn plane(label: &'static str, help: &'static str) -> TypedParam<PlaneValue> {
-        Param::typed(ParamKind::Plane, [label, help], COORDINATE_RANGE, &[0.0, 0.0, 1.0, 0.0], |v| {
+        Param::new_typed(ParamKind::Plane, [label, help], COORDINATE_RANGE, &[0.0, 0.0, 1.0, 0.0], |v| {
             let (normal, [largest, length]) = unit_vector_and_length(v);
             PlaneValue { normal, distance: v[3] / largest / length }
         })
@@ -198,7 +198,7 @@ impl Param {
 
     /// A flag, off by default.
     pub(super) const fn flag(label: &'static str, help: &'static str) -> TypedParam<bool> {
-        Param::typed(ParamKind::Bool, [label, help], [0.0, 1.0], &[0.0], |v| v[0] != 0.0)
+        Param::new_typed(ParamKind::Bool, [label, help], [0.0, 1.0], &[0.0], |v| v[0] != 0.0)
     }
 
     /// A bound on the error of a result, relative to a size that the help names.

@@ -1,6 +1,6 @@
 use super::data::{Input, Output};
 use super::filter::{Filter, FilterBody};
-use super::report::{BOUNDARY_EDGE, EDGE, FACE, Report, VERTEX, counted};
+use super::report::{BOUNDARY_EDGE, EDGE, FACE, Report, VERTEX, count_with_noun};
 use super::signatures::{ONE_MESH, TO_MESH_TEXT};
 use super::typed_param::{NON_NEGATIVE_OR_AUTO_RANGE, Param, ParamValues, TypedParam, params};
 use gusset_attributes::{KeepSplits, Origins};
@@ -75,15 +75,15 @@ fn report(done: &Weld) -> Report {
         (0, 0) => "all coincident borders are welded".to_owned(),
         _ => format!(
             "not welded: {} and {} that coincide with others",
-            counted(edges, BOUNDARY_EDGE),
-            counted(vertices, VERTEX)
+            count_with_noun(edges, BOUNDARY_EDGE),
+            count_with_noun(vertices, VERTEX)
         ),
     };
     let text = format!(
         "{} welded, {} sewn, {} dropped\n{left}\n",
-        counted(done.welded_vertices, VERTEX),
-        counted(done.sewn_edges, EDGE),
-        counted(done.dropped_faces, FACE)
+        count_with_noun(done.welded_vertices, VERTEX),
+        count_with_noun(done.sewn_edges, EDGE),
+        count_with_noun(done.dropped_faces, FACE)
     );
     let values = [
         ("welded_vertices", f64::from(done.welded_vertices)),

@@ -142,7 +142,7 @@ struct Part {
 /// Divides the faces among the threads, with enough faces for each.
 fn parts(mesh: &MeshView<'_>, threads: usize) -> Result<Vec<Part>> {
     let (faces, vertices) = (mesh.faces().len(), mesh.positions().len());
-    let threads = par::at_most(faces.div_ceil(MIN_FACES_PER_PART).min(MAX_PARTS), threads);
+    let threads = par::resolve_thread_count(faces.div_ceil(MIN_FACES_PER_PART).min(MAX_PARTS), threads);
     let mut parts = Vec::new();
     for faces in blocks(0..faces, faces.div_ceil(threads)) {
         let (places, corner_count) = (alloc::zeroed(2 * vertices)?, alloc::zeroed(vertices)?);

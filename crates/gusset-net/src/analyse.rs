@@ -8,10 +8,10 @@
 //! brings the link's ends together. The links are therefore measured, including closing links, and
 //! the determinant shows where space is inverted. O(nodes).
 
-use super::field::{Step, deform};
+use super::field::{DeformationStep, deform};
 use super::hidden_cells::HiddenCells;
 use super::topology::{ContractedLinks, GluingType, classify_node};
-use super::{Classes, Net, Real, Topology, XyzMatrices, chunks, each, fold};
+use super::{Net, NodeClasses, Real, Topology, XyzMatrices, chunks, each, fold};
 use glam::{DMat3, DVec3};
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
@@ -88,7 +88,12 @@ pub fn analyse(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>)
 ///
 /// # Errors
 /// The errors of [`analyse`] and [`deform`].
-pub fn analyse_field(net: &Net<'_>, steps: &[Step<'_>], tolerance: f64, job: &Job<'_>) -> Result<DeformationAnalysis> {
+pub fn analyse_field(
+    net: &Net<'_>,
+    steps: &[DeformationStep<'_>],
+    tolerance: f64,
+    job: &Job<'_>,
+) -> Result<DeformationAnalysis> {
     let mut after = net.copied()?;
     deform(&mut after, steps, &job.part(0.0, 0.3))?;
     let mut found = compare_unsigned(net, &after, tolerance, &job.part(0.3, 0.6))?;
@@ -104,7 +109,7 @@ pub fn analyse_field(net: &Net<'_>, steps: &[Step<'_>], tolerance: f64, job: &Jo
 ///
 /// # Errors
 /// [`Error::NoSuch`], [`Error::CrossingCell`], [`Error::OutOfMemory`].
-pub fn absorb(topology: &Topology, links: impl IntoIterator<Item = u32>, job: &Job<'_>) -> Result<Topology> {
+pub fn contract_links(topology: &Topology, links: impl IntoIterator<Item = u32>, job: &Job<'_>) -> Result<Topology> {
     let (shape, mut matrix) = (topology.shape(), topology.matrix()?);
     for link in links {
         if link as usize >= 2 * shape.node_count() {
@@ -120,7 +125,7 @@ pub fn absorb(topology: &Topology, links: impl IntoIterator<Item = u32>, job: &J
 fn compare_unsigned(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<DeformationAnalysis> {
     Error::require(tolerance.is_finite() && tolerance >= 0.0, "tolerance", tolerance)?;
     job.step(0.0, "analyse")?;
-    let (shape, classes) = (before.shape(), Classes::new(before.topology())?);
+    let (shape, classes) = (before.shape(), NodeClasses::new(before.topology())?);
     let mut links = alloc::zeroed(2 * shape.node_count())?;
     let width = 2 * shape.columns();
     let changes: Vec<_> = each!(before.coordinates(), old => each!(after.coordinates(), new => {
@@ -154,7 +159,7 @@ fn measure_row_of_links<A: Real, B: Real>(
     (old, new): (&XyzMatrices<'_, A>, &XyzMatrices<'_, B>),
     i: usize,
     ratios: &mut [f64],
-    classes: &Classes,
+    classes: &NodeClasses,
     tolerance: f64,
 ) -> Result<(Vec<u32>, Vec<u32>)> {
     let shape = old.shape();
@@ -164,7 +169,7 @@ fn measure_row_of_links<A: Real, B: Real>(
         let before = old.get(a, b).distance(old.get(c, d));
         let after = new.get(a, b).distance(new.get(c, d));
         *ratio = if before > 0.0 { after / before } else { f64::NAN };
-        let glued = classes.contracts(link);
+        let glued = classes.has_identified_ends(link);
         if !glued && after <= tolerance && before > tolerance {
             alloc::push(&mut contracted, link)?;
         } else if glued && after > tolerance {
@@ -179,7 +184,7 @@ fn classify_contracted_links(topology: &Topology, links: &[u32], job: &Job<'_>) 
     if links.is_empty() {
         return Ok(Vec::new());
     }
-    let classes = Classes::new_cancellable(&absorb(topology, links.iter().copied(), job)?, job, "analyse")?;
+    let classes = NodeClasses::new_cancellable(&contract_links(topology, links.iter().copied(), job)?, job, "analyse")?;
     alloc::gather(links.iter().filter_map(|&link| {
         let (i, j) = topology.shape().place(link / 2);
         classify_node(&classes, i, j, true).map(|star| ContractedLink { link, star })
@@ -220,7 +225,11 @@ fn mark_inversions(analysis: &mut DeformationAnalysis) -> bool {
 }
 
 /// Returns the determinants of the Jacobian at the centres of all cells, by central differences.
-fn jacobian_determinants<T: Real>(planes: &XyzMatrices<'_, T>, steps: &[Step<'_>], job: &Job<'_>) -> Result<Vec<f64>> {
+fn jacobian_determinants<T: Real>(
+    planes: &XyzMatrices<'_, T>,
+    steps: &[DeformationStep<'_>],
+    job: &Job<'_>,
+) -> Result<Vec<f64>> {
     let columns = planes.shape().columns() - 1;
     let mut determinants = alloc::zeroed(planes.shape().cell_count())?;
     chunks::map_rows(&mut determinants, columns, (job, "analyse"), |i, row| {
@@ -241,7 +250,7 @@ fn jacobian_determinants<T: Real>(planes: &XyzMatrices<'_, T>, steps: &[Step<'_>
 /// Returns the Jacobian of a chain of fields at a point, by central differences, and an error bound
 /// of its columns. The step balances truncation against rounding: the cube root of the precision,
 /// times the larger of `size` and the coordinates.
-pub fn jacobian(point: DVec3, size: f64, steps: &[Step<'_>]) -> (DMat3, f64) {
+pub fn jacobian(point: DVec3, size: f64, steps: &[DeformationStep<'_>]) -> (DMat3, f64) {
     let step = 6e-6 * size.max(point.abs().max_element());
     let offsets = DVec3::AXES.map(|axis| step * axis);
     let points = [0, 1, 2].map(|k| [point + offsets[k], point - offsets[k]]);

@@ -120,7 +120,7 @@ impl Bridge {
     }
 
     /// Returns the last row or column of the first net.
-    pub(crate) fn first_side(&self) -> u32 {
+    pub(crate) fn first_side_line(&self) -> u32 {
         self.at - self.rows - 1
     }
 

@@ -8,7 +8,7 @@
 
 use super::coincidence::{are_coincident, for_each_coincident_link};
 use super::topology::{ContractedLinks, LinkMatrix, Seam, SeamRun, Topology};
-use super::{Classes, Coordinates, Shape, each};
+use super::{Coordinates, NodeClasses, Shape, each};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -19,7 +19,7 @@ use std::cmp::Ordering;
 /// The maximum number of coincident rim nodes with which a rim node is paired.
 const MAX_PARTNERS_PER_NODE: usize = 8;
 
-/// Returns the topology that coordinates imply, in canonical form ([`Topology::saturated`]):
+/// Returns the topology that coordinates imply, in canonical form ([`Topology::canonical_form`]):
 /// coincident neighbours, and runs of at least two coincident rim nodes. Tolerance 0: equal
 /// coordinates (0 and -0 are equal). O(nodes), and a sort of the rim.
 ///
@@ -40,11 +40,11 @@ pub fn detect_gluing(coordinates: &Coordinates<'_>, tolerance: f64, job: &Job<'_
         Ok(())
     }))?;
     let near = Topology::new(shape, ContractedLinks::Matrix(matrix), &[])?;
-    let classes = Classes::new(&near)?;
+    let classes = NodeClasses::new(&near)?;
     let rim = NetRim { shape, coordinates, tolerance };
     let seams = rim.seams_of_pairs(&rim.coincident_pairs(&classes)?, &classes)?;
     job.step(0.8, "detecting gluings")?;
-    Topology::new(shape, ContractedLinks::Matrix(near.matrix()?), &seams)?.saturated()
+    Topology::new(shape, ContractedLinks::Matrix(near.matrix()?), &seams)?.canonical_form()
 }
 
 /// The nodes of the four sides, numbered around the net: the first row forwards, the last column
@@ -81,14 +81,14 @@ impl NetRim<'_> {
         self.coordinates.get(i, j)
     }
 
-    fn class_of(&self, classes: &Classes, k: usize) -> u32 {
+    fn class_of(&self, classes: &NodeClasses, k: usize) -> u32 {
         let (i, j) = self.row_and_column(k % self.len());
         classes.representative(self.shape.node(i, j))
     }
 
     /// Coincident pairs of rim nodes that are not one vertex by links alone, each vertex by its
     /// first node.
-    fn coincident_pairs(&self, classes: &Classes) -> Result<Vec<[usize; 2]>> {
+    fn coincident_pairs(&self, classes: &NodeClasses) -> Result<Vec<[usize; 2]>> {
         let mut nodes: Vec<(u32, usize)> = alloc::collect((0..self.len()).map(|k| (self.class_of(classes, k), k)))?;
         nodes.sort_unstable();
         nodes.dedup_by_key(|node| node.0);
@@ -130,7 +130,7 @@ impl NetRim<'_> {
     /// Returns the seams of the pairs. Pairs with equal sums of their places form a reversed run,
     /// pairs with equal differences a run in the same direction, both modulo the length of the rim.
     /// Every run is found from both its sides; a topology merges the two.
-    fn seams_of_pairs(&self, pairs: &[[usize; 2]], classes: &Classes) -> Result<Vec<Seam>> {
+    fn seams_of_pairs(&self, pairs: &[[usize; 2]], classes: &NodeClasses) -> Result<Vec<Seam>> {
         let n = self.len();
         let mut seams = Vec::new();
         for reversed in [true, false] {
@@ -154,7 +154,7 @@ impl NetRim<'_> {
         pairing: RimPairing,
         start: usize,
         count: usize,
-        classes: &Classes,
+        classes: &NodeClasses,
         seams: &mut Vec<Seam>,
     ) -> Result<()> {
         let n = self.len();

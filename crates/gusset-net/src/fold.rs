@@ -9,7 +9,7 @@
 //! Union-find with parity then partitions the cells into two sides of the folds. O(nodes).
 
 use super::hidden_cells::HiddenCells;
-use super::{Classes, Net, Real, Shape, XyzMatrices, each};
+use super::{Net, NodeClasses, Real, Shape, XyzMatrices, each};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -41,7 +41,7 @@ const OLD_MARGIN_FACTOR: f64 = 8.0;
 /// If they do not divide it, because a fold ends within the surface, the cells at the fold are
 /// turned over.
 pub(super) fn fold_signs(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Vec<i8>> {
-    let (shape, classes, hidden) = (before.shape(), Classes::new(before.topology())?, HiddenCells::new(before)?);
+    let (shape, classes, hidden) = (before.shape(), NodeClasses::new(before.topology())?, HiddenCells::new(before)?);
     each!(before.coordinates(), old => each!(after.coordinates(), new => {
         let search = FoldSearch { shape, classes: &classes, hidden: &hidden, old, new, tolerance };
         let (lines, part) = ((CELLS_PER_REPORT / shape.columns()).max(1), job.part(0.0, 0.5));
@@ -57,7 +57,7 @@ type AdjacentCells = ([u32; 2], [(usize, usize); 2]);
 
 struct FoldSearch<'a, A, B> {
     shape: Shape,
-    classes: &'a Classes,
+    classes: &'a NodeClasses,
     hidden: &'a HiddenCells,
     old: &'a XyzMatrices<'a, A>,
     new: &'a XyzMatrices<'a, B>,

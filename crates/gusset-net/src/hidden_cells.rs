@@ -52,6 +52,7 @@ impl HiddenCells {
 
 /// Returns the rows of cells of a bridge, and its range of columns in each.
 fn cell_ranges_of_bridge(bridge: &Bridge) -> impl Iterator<Item = (usize, [u32; 2])> + Clone {
-    let (rows, columns) = bridge.direction.ordered(bridge.first_side()..bridge.at, bridge.start..bridge.end - 1);
+    let (rows, columns) =
+        bridge.direction.order_along_first(bridge.first_side_line()..bridge.at, bridge.start..bridge.end - 1);
     rows.map(move |row| (row as usize, [columns.start, columns.end]))
 }

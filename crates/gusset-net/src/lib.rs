@@ -60,7 +60,7 @@ pub mod transform;
 mod validate;
 mod xyz_matrices;
 
-pub use arrange::Turn;
+pub use arrange::GridSymmetry;
 pub use bridge::{Bridge, BridgeKind, BridgeMode, BridgeProperties};
 pub use copy::CopyOptions;
 pub use detect_gluing::detect_gluing;
@@ -73,6 +73,6 @@ pub use real::Real;
 pub use reformat::Replication;
 pub use settle::settle;
 pub use shape::{MAX_NODES, Shape};
-pub use topology::{Classes, LinkMatrix, Seam, Sides, Topology};
-pub use validate::{Finding, FindingKind};
+pub use topology::{LinkMatrix, NodeClasses, Seam, Sides, Topology};
+pub use validate::{FindingKind, ValidationFinding};
 pub use xyz_matrices::XyzMatrices;

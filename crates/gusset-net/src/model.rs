@@ -191,13 +191,13 @@ impl<'a> Net<'a> {
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
     pub fn converted(&self, scalar: Scalar) -> Result<Net<'static>> {
-        fn planes<A: Real, B: Real>(from: &XyzMatrices<'_, A>) -> Result<XyzMatrices<'static, B>> {
+        fn convert_matrices<A: Real, B: Real>(from: &XyzMatrices<'_, A>) -> Result<XyzMatrices<'static, B>> {
             from.converted(|to, from| to.iter_mut().zip(from).for_each(|(to, &from)| *to = B::from_f64(from.into())))
         }
         let coordinates = match scalar {
             _ if scalar == self.coordinates.scalar() => self.coordinates.copied()?,
-            Scalar::F32 => Coordinates::F32(each!(&self.coordinates, from => planes(from)?)),
-            Scalar::F64 => Coordinates::F64(each!(&self.coordinates, from => planes(from)?)),
+            Scalar::F32 => Coordinates::F32(each!(&self.coordinates, from => convert_matrices(from)?)),
+            Scalar::F64 => Coordinates::F64(each!(&self.coordinates, from => convert_matrices(from)?)),
         };
         let bridges = alloc::collect(self.bridges.iter().cloned())?;
         Ok(Net { coordinates, topology: self.topology.copied()?, bridges })

@@ -3,7 +3,7 @@
 //! The path of a node depends only on its two positions and the time. Nodes that are equal in both
 //! nets, such as glued ones, therefore stay equal bit for bit. O(nodes).
 
-use super::{Classes, Net, Real, each};
+use super::{Net, NodeClasses, Real, each};
 use glam::{DMat3, DVec3};
 use gusset_base::choices;
 use gusset_base::error::{Error, Result};
@@ -68,7 +68,7 @@ fn check_compatible_nets(a: &Net<'_>, b: &Net<'_>) -> Result<()> {
     if a.coordinates().scalar() != b.coordinates().scalar() {
         return Err(Error::MixedScalars);
     }
-    let [first, second] = [Classes::new(a.topology())?, Classes::new(b.topology())?];
+    let [first, second] = [NodeClasses::new(a.topology())?, NodeClasses::new(b.topology())?];
     let differ = |&node: &u32| first.representative(node) != second.representative(node);
     match (0..a.shape().node_count() as u32).find(differ) {
         Some(node) => Err(Error::GluingsDiffer { node }),

@@ -12,8 +12,8 @@
 use super::chunks::{lines_per_block, zip3};
 use super::hidden_cells::HiddenCells;
 use super::shape::corner_places;
-use super::topology::{Groups, ReducedCell};
-use super::{Classes, Coordinates, Net, Real, XyzMatrices};
+use super::topology::{NodeGroups, ReducedCell};
+use super::{Coordinates, Net, NodeClasses, Real, XyzMatrices};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -79,8 +79,8 @@ struct CornerSums<'a, T> {
     planes: &'a XyzMatrices<'a, T>,
     matrices: [&'a [T]; 3],
     hidden: HiddenCells,
-    classes: Classes,
-    groups: Groups,
+    classes: NodeClasses,
+    groups: NodeGroups,
     /// The nodes that are glued to others.
     glued: BitSet,
     sign: f64,
@@ -88,7 +88,7 @@ struct CornerSums<'a, T> {
 
 impl<'a, T: Real> CornerSums<'a, T> {
     fn new(net: &'a Net<'_>, planes: &'a XyzMatrices<'_, T>) -> Result<Self> {
-        let classes = Classes::new(net.topology())?;
+        let classes = NodeClasses::new(net.topology())?;
         let groups = classes.groups()?;
         let mut glued = BitSet::new(net.shape().node_count())?;
         groups.nodes().iter().for_each(|&node| glued.insert(node));

@@ -132,7 +132,7 @@ impl Net<'_> {
         job: &Job<'_>,
     ) -> Result<Net<'static>> {
         let all = alloc::collect((0..axis.extents_along_and_across(topology.shape()).1).map(|i| i as u32))?;
-        let (rows, columns) = axis.ordered(lines, &all);
+        let (rows, columns) = axis.order_along_first(lines, &all);
         self.rearranged(&Rearrangement::Selection { rows, columns }, topology, job)
     }
 }
@@ -226,16 +226,16 @@ impl Topology {
     /// Returns true if all links along row i (`Down`) or column i are contracted by name.
     pub(crate) fn is_line_contracted(&self, axis: Direction, i: usize) -> bool {
         let shape = self.shape();
-        (0..axis.extents_along_and_across(shape).1 - 1).all(|k| self.contracts(axis.link_along(shape, i, k)))
+        (0..axis.extents_along_and_across(shape).1 - 1).all(|k| self.is_contracted(axis.link_along(shape, i, k)))
     }
 
     /// Returns true if row or column i, not the first, is glued to the previous one link by link,
     /// and both are glued within themselves in the same way.
     fn is_duplicate_line(&self, axis: Direction, i: usize) -> bool {
         let shape = self.shape();
-        let along = |i: usize, k: usize| self.contracts(axis.link_along(shape, i, k));
+        let along = |i: usize, k: usize| self.is_contracted(axis.link_along(shape, i, k));
         (0..axis.extents_along_and_across(shape).1)
-            .all(|k| self.contracts(axis.link_across(shape, i - 1, k)) && along(i - 1, k) == along(i, k))
+            .all(|k| self.is_contracted(axis.link_across(shape, i - 1, k)) && along(i - 1, k) == along(i, k))
     }
 
     /// Row i is rows `starts[i]..starts[i + 1]`. O(contracted links + pairs of seams).
@@ -277,10 +277,10 @@ impl Topology {
             // The rows up to the next that is kept.
             let end = kept.get(new + 1).map_or(h + kept[0] as usize, |&next| next as usize);
             for j in 0..w {
-                if self.contracts(old.horizontal_link(i, j)) {
+                if self.is_contracted(old.horizontal_link(i, j)) {
                     links.set(shape.horizontal_link(new, j), true);
                 }
-                if (i..end).all(|i| self.contracts(old.vertical_link(i % h, j))) {
+                if (i..end).all(|i| self.is_contracted(old.vertical_link(i % h, j))) {
                     links.set(shape.vertical_link(new, j), true);
                 }
             }

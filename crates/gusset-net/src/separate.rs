@@ -2,7 +2,7 @@
 //!
 //! All nodes of a component move to one place. O(nodes), plus a sort of the unglued nodes.
 
-use super::topology::{Classes, Gluing};
+use super::topology::{Gluing, NodeClasses};
 use super::{Net, Shape};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -37,7 +37,7 @@ impl Net<'_> {
         let topology = self.topology().unglued(gluings)?;
         let mut moves = Vec::new();
         if separation > 0.0 {
-            let (before, after) = (Classes::new(self.topology())?, Classes::new(&topology)?);
+            let (before, after) = (NodeClasses::new(self.topology())?, NodeClasses::new(&topology)?);
             moves = SplitVertices::new(&before, &after)?.component_moves(self, &before, separation / 2.0)?;
         }
         let shape = self.shape();
@@ -61,7 +61,7 @@ struct SplitVertices {
 }
 
 impl SplitVertices {
-    fn new(before: &Classes, after: &Classes) -> Result<Self> {
+    fn new(before: &NodeClasses, after: &NodeClasses) -> Result<Self> {
         let component = |node: u32| after.representative(node);
         let (mut nodes, mut split) = (Vec::new(), Vec::new());
         for class in before.groups()?.iter() {
@@ -76,7 +76,7 @@ impl SplitVertices {
     }
 
     /// Returns the components that move, and their new positions.
-    fn component_moves(&self, net: &Net<'_>, before: &Classes, step: f64) -> Result<Vec<(Vec<u32>, DVec3)>> {
+    fn component_moves(&self, net: &Net<'_>, before: &NodeClasses, step: f64) -> Result<Vec<(Vec<u32>, DVec3)>> {
         let mut moves = Vec::new();
         for component in self.nodes.chunk_by(|a, b| a[1] == b[1]) {
             let links = [true, false].map(|whole| self.sum_of_outward_links(net, before, component, whole));
@@ -90,7 +90,7 @@ impl SplitVertices {
 
     /// Returns the sum of the links that lead out of the vertex of a component. If `whole`, only
     /// links to vertices that stay whole count.
-    fn sum_of_outward_links(&self, net: &Net<'_>, before: &Classes, component: &[[u32; 3]], whole: bool) -> DVec3 {
+    fn sum_of_outward_links(&self, net: &Net<'_>, before: &NodeClasses, component: &[[u32; 3]], whole: bool) -> DVec3 {
         let out = |&(node, neighbour): &(u32, u32)| {
             before.representative(neighbour) != before.representative(node)
                 && !(whole && self.split.binary_search(&neighbour).is_ok())

@@ -154,7 +154,7 @@ pub unsafe extern "C" fn gusset_curve_offset_create(
     };
     create_and_tell(context, offset, "offset", moved, |told| {
         if let Some((out, report)) = told {
-            out.write(report);
+            out.write_known_fields(report);
         }
     })
 }

@@ -210,9 +210,9 @@ pub unsafe extern "C" fn gusset_frame_create(
         let axis = if options.axis_points.is_null() { None } else { Some(axis.as_slice()) };
         let missing = mesh::read_indices(&raw const options.missing, "missing")?.unwrap_or_default();
         let options = options.checked(&landmarks, &missing, axis)?;
-        let given = GivenOutlines::read(sections)?;
-        let Frame { grid, across, along } = self::frame(&given.outlines(), &options, job)?;
-        let closed = given.outlines().closed;
+        let given = GivenOutlines::read_outlines(sections)?;
+        let Frame { grid, across, along } = self::frame(&given.as_outlines(), &options, job)?;
+        let closed = given.as_outlines().closed;
         let (across, along) = (Tagged::new_part(gusset_outline(across)), Tagged::new_part(gusset_outline(along)));
         Ok(gusset_frame {
             grid,

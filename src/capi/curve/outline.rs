@@ -161,7 +161,7 @@ pub(crate) struct GivenOutlines<'a> {
 }
 
 impl GivenOutlines<'_> {
-    pub(crate) fn read(outlines: *const gusset_outlines) -> Result<Self, Failure> {
+    pub(crate) fn read_outlines(outlines: *const gusset_outlines) -> Result<Self, Failure> {
         let given = input::read(outlines, false, "outlines")?;
         let closed = flag(given.closed, "closed")?;
         let dimension = given.dimension as usize;
@@ -181,7 +181,7 @@ impl GivenOutlines<'_> {
         Ok(GivenOutlines { points, offsets, constraints, closed })
     }
 
-    pub(crate) fn outlines(&self) -> Outlines<'_> {
+    pub(crate) fn as_outlines(&self) -> Outlines<'_> {
         let GivenOutlines { points, offsets, constraints, closed } = self;
         Outlines { points: *points, offsets: offsets.as_deref(), closed: *closed, constraints }
     }
@@ -221,8 +221,8 @@ pub unsafe extern "C" fn gusset_outline_create(
 ) -> gusset_status {
     create(context, outline, "outline", |job| {
         let options = input::read(options, true, "options")?.checked()?;
-        let given = GivenOutlines::read(outlines)?;
-        Ok(gusset_outline(fit(&given.outlines(), &options, job)?))
+        let given = GivenOutlines::read_outlines(outlines)?;
+        Ok(gusset_outline(fit(&given.as_outlines(), &options, job)?))
     })
 }
 
@@ -337,8 +337,8 @@ pub unsafe extern "C" fn gusset_outlines_find_sections(
     guard(context, |job| {
         let steps = steps?;
         let options = input::read(options, true, "options")?.checked()?;
-        let given = GivenOutlines::read(outlines)?;
-        let outlines = given.outlines();
+        let given = GivenOutlines::read_outlines(outlines)?;
+        let outlines = given.as_outlines();
         let count = outlines.points.len();
         let mut controls = optional_result_buffer(controls, (count, 3), "controls")?.chunks_exact_mut(3);
         let mut parameters = optional_result_buffer(parameters, (count, 1), "parameters")?.iter_mut();

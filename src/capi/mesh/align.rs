@@ -232,7 +232,7 @@ pub unsafe extern "C" fn gusset_alignment_create(
         let max_distance = (options.max_distance != 0.0).then_some(options.max_distance);
         let how = Options { start, max_distance, samples: options.samples, max_rounds: options.max_rounds };
         let given_meshes = mesh::read_meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
-        let views = alloc::collect(given_meshes.iter().map(GivenMesh::view))?;
+        let views = alloc::collect(given_meshes.iter().map(GivenMesh::mesh_view))?;
         Ok(gusset_alignment::new(&align(&views, &how, &job.part(0.1, 1.0))?)?)
     })
 }

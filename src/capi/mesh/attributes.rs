@@ -215,7 +215,7 @@ pub unsafe extern "C" fn gusset_mesh_find_merge(
 ) -> gusset_status {
     guard(context, |job| {
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         let count = mesh.positions().len();
         let keys = (!keys.is_null()).then(|| input::copy_input_items(keys, count, "keys")).transpose()?;
         let found = merge_map(&mesh, keys.as_deref(), &job.part(0.1, 1.0))?;

@@ -216,7 +216,7 @@ pub unsafe extern "C" fn gusset_boundary_create(
     create(context, boundary, "boundary", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         let boundary = boundary_loops(&mesh, &options, &job.part(0.2, 1.0))?;
         let defects = alloc::collect(boundary.defects().iter().map(gusset_defect::from))?;
         Ok(gusset_boundary { boundary, defects })

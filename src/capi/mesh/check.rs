@@ -86,7 +86,7 @@ pub unsafe extern "C" fn gusset_check_create(
 ) -> gusset_status {
     create(context, check, "check", |job| {
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         Ok(gusset_check(self::check(&mesh, &job.part(0.2, 1.0))?))
     })
 }

@@ -108,7 +108,7 @@ pub unsafe extern "C" fn gusset_develop(
         let offsets = mesh::read_indices(&raw const options.cut_offsets, "cut_offsets")?.unwrap_or_default();
         let options = options.checked(&cuts, &offsets)?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let done = self::develop(&given_mesh.view(), &options, &job.part(0.1, 1.0))?;
+        let done = self::develop(&given_mesh.mesh_view(), &options, &job.part(0.1, 1.0))?;
         Ok(gusset_result(OperationResult::Develop(DevelopedSurface::new(done, &job.part(1.0, 1.0))?)))
     })
 }
@@ -123,5 +123,5 @@ pub unsafe extern "C" fn gusset_result_get_develop(
     result: *const gusset_result,
     report: *mut gusset_develop_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_develop", OperationResult::Develop(development) => development.report())
+    report!(result, report, "gusset_develop", OperationResult::Develop(development) => development.develop_report())
 }

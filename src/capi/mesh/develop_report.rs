@@ -161,7 +161,7 @@ impl DevelopedSurface {
         })
     }
 
-    pub(crate) fn report(&self) -> gusset_develop_report {
+    pub(crate) fn develop_report(&self) -> gusset_develop_report {
         gusset_develop_report {
             struct_size: size_of::<gusset_develop_report>(),
             points: lend_list(&self.done.points).cast(),

@@ -219,7 +219,7 @@ pub unsafe extern "C" fn gusset_fill(
         let given_options = input::read(options, true, "options")?;
         let options = given_options.checked()?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         let given = read_loops(loops, loop_count)?;
         let merged = |loops: Vec<Vec<u32>>| {
             alloc::gather(loops.into_iter().map(|vertices| mesh::map_to_merged_vertices(&mesh, vertices)))
@@ -252,5 +252,5 @@ pub unsafe extern "C" fn gusset_result_get_fill(
     result: *const gusset_result,
     report: *mut gusset_fill_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_fill", OperationResult::Fill(fill) => fill.report())
+    report!(result, report, "gusset_fill", OperationResult::Fill(fill) => fill.fill_report())
 }

@@ -187,7 +187,7 @@ impl FillResult {
         Ok(FillResult { done, holes })
     }
 
-    pub(crate) fn report(&self) -> gusset_fill_report {
+    pub(crate) fn fill_report(&self) -> gusset_fill_report {
         let FillResult { done, holes } = self;
         gusset_fill_report {
             struct_size: size_of::<gusset_fill_report>(),

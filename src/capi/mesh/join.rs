@@ -56,7 +56,7 @@ pub unsafe extern "C" fn gusset_join(
         let mut given = read_loop_pairs(options.pairs, options.pair_count, "pairs")?;
         let mut excluded = read_loop_pairs(options.excluded, options.excluded_count, "excluded")?;
         let given_meshes = mesh::read_meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
-        let views = alloc::collect(given_meshes.iter().map(GivenMesh::view))?;
+        let views = alloc::collect(given_meshes.iter().map(GivenMesh::mesh_view))?;
         for selector in given.iter_mut().chain(&mut excluded).flatten() {
             if let Some(view) = views.get(selector.piece as usize) {
                 selector.vertex = view.faces().merge_of(selector.vertex);
@@ -79,5 +79,5 @@ pub unsafe extern "C" fn gusset_result_get_join(
     result: *const gusset_result,
     report: *mut gusset_join_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_join", OperationResult::Join(join) => join.report())
+    report!(result, report, "gusset_join", OperationResult::Join(join) => join.join_report())
 }

@@ -250,7 +250,7 @@ impl JoinResult {
         })
     }
 
-    pub(crate) fn report(&self) -> gusset_join_report {
+    pub(crate) fn join_report(&self) -> gusset_join_report {
         gusset_join_report {
             struct_size: size_of::<gusset_join_report>(),
             pieces: lend_list(&self.pieces),

@@ -107,7 +107,7 @@ pub(crate) struct GivenMesh<'a> {
 }
 
 impl GivenMesh<'_> {
-    pub(crate) fn view(&self) -> MeshView<'_> {
+    pub(crate) fn mesh_view(&self) -> MeshView<'_> {
         self.merged.as_ref().map_or(self.mesh, |(merge, corners)| self.mesh.merged(merge, corners))
     }
 }

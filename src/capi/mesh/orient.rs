@@ -74,7 +74,7 @@ pub unsafe extern "C" fn gusset_orient(
     create(context, result, "result", |job| {
         let options = Options { outward: to_outward(input::read(options, true, "options")?.outward, Outward::Keep)? };
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         let mut done = self::orient(&mesh, &options, &job.part(0.2, 0.9))?;
         done.keep_splits(&[&mesh], &job.part(0.9, 1.0))?;
         let one_sided = [

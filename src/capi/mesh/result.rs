@@ -68,7 +68,7 @@ impl OperationResult {
         Failure::new(GUSSET_ERROR_WRONG_HANDLE, message)
     }
 
-    fn mesh(&self) -> &Mesh {
+    fn result_mesh(&self) -> &Mesh {
         match self {
             OperationResult::Join(join) => &join.done.mesh,
             OperationResult::Stitch(stitch) => &stitch.mesh,
@@ -83,7 +83,7 @@ impl OperationResult {
         }
     }
 
-    fn origins(&self, job: &Job<'_>) -> Result<Origins, Error> {
+    fn result_origins(&self, job: &Job<'_>) -> Result<Origins, Error> {
         match self {
             OperationResult::Join(join) => Origins::from_assembly(&join.done, job),
             OperationResult::Stitch(stitch) => Origins::from_stitch(stitch, job),
@@ -169,7 +169,7 @@ pub unsafe extern "C" fn gusset_result_get_mesh(
     result: *const gusset_result,
     view: *mut gusset_mesh_view,
 ) -> gusset_status {
-    lend!(result, view, |result| mesh::lend_mesh(result.0.mesh()))
+    lend!(result, view, |result| mesh::lend_mesh(result.0.result_mesh()))
 }
 
 /// Reports the quality of a result of gusset_stitch or gusset_fill.
@@ -211,7 +211,9 @@ pub unsafe extern "C" fn gusset_result_origins_create(
     result: *const gusset_result,
     origins: *mut *mut gusset_origins,
 ) -> gusset_status {
-    create(context, origins, "origins", |job| Ok(gusset_origins(handle::get_object(result, "result")?.0.origins(job)?)))
+    create(context, origins, "origins", |job| {
+        Ok(gusset_origins(handle::get_object(result, "result")?.0.result_origins(job)?))
+    })
 }
 
 #[cfg(test)]

@@ -71,7 +71,7 @@ pub unsafe extern "C" fn gusset_sew(
     create(context, result, "result", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         let mut done = self::sew(&mesh, &options, &job.part(0.1, 0.9))?;
         done.keep_splits(&[&mesh], &job.part(0.9, 1.0))?;
         Ok(gusset_result(OperationResult::Sew(done)))

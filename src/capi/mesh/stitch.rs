@@ -123,7 +123,7 @@ pub unsafe extern "C" fn gusset_stitch(
         let options = input::read(options, true, "options")?.checked()?;
         let given_a = mesh::mesh(mesh_a, 0, &job.part(0.0, 0.1))?;
         let given_b = (!mesh_b.is_null()).then(|| mesh::mesh(mesh_b, 1, &job.part(0.1, 0.2))).transpose()?;
-        let (a, b) = (given_a.view(), given_b.as_ref().map(GivenMesh::view));
+        let (a, b) = (given_a.mesh_view(), given_b.as_ref().map(GivenMesh::mesh_view));
         let loop_a = mesh::read_indices(loop_a, "loop_a")?.map(|vertices| mesh::map_to_merged_vertices(&a, vertices));
         let loop_b = mesh::read_indices(loop_b, "loop_b").map_err(|failure| failure.with_input(1))?;
         let loop_b = loop_b.map(|vertices| mesh::map_to_merged_vertices(b.as_ref().unwrap_or(&a), vertices));

@@ -123,7 +123,7 @@ pub unsafe extern "C" fn gusset_trim_create(
         let options = input::read(options, true, "options")?;
         let viewpoints = options.read_viewpoints()?;
         let given_meshes = mesh::read_meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
-        let views = alloc::collect(given_meshes.iter().map(GivenMesh::view))?;
+        let views = alloc::collect(given_meshes.iter().map(GivenMesh::mesh_view))?;
         let done = self::trim(&views, &options.checked(&viewpoints), &job.part(0.1, 1.0))?;
         // The lists behind these pointers lie on the heap and do not move.
         let pieces = done.kept.iter().zip(&done.covered).map(|(kept, &covered)| gusset_trimmed_piece {

@@ -7,7 +7,7 @@ use crate::capi::input::{self, choice, flag};
 use crate::capi::mesh::gusset_scalar;
 use crate::capi::net::{gusset_net, net_of_handle_mut};
 use crate::capi::status::{Failure, gusset_status};
-use crate::net::{CopyOptions, Direction, Replication, Shape, Turn};
+use crate::net::{CopyOptions, Direction, GridSymmetry, Replication, Shape};
 
 /// Direction within a net.
 pub type gusset_direction = u32;
@@ -98,7 +98,7 @@ versioned! { gusset_net_copy_options: 88 reserved }
 
 c_enum! {
     direction: Direction { GUSSET_DIRECTION_RIGHT => Right, GUSSET_DIRECTION_DOWN => Down }
-    turn: Turn {
+    turn: GridSymmetry {
         GUSSET_NET_TURN_NONE => None,
         GUSSET_NET_TURN_QUARTER => Quarter,
         GUSSET_NET_TURN_HALF => Half,

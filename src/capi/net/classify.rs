@@ -8,8 +8,8 @@ use crate::capi::mesh::gusset_indices;
 use crate::capi::net::glue::{GUSSET_TYPE_NONE, gusset_gluing_type};
 use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::{Failure, gusset_status};
-use crate::net::Classes;
-use crate::net::topology::{GluingOccurrence, GluingType, Groups, occurrences};
+use crate::net::NodeClasses;
+use crate::net::topology::{GluingOccurrence, GluingType, NodeGroups, find_gluing_occurrences};
 
 /// Returns the caller's number of a type.
 fn gluing_type_code(found: Option<GluingType>) -> gusset_gluing_type {
@@ -36,14 +36,14 @@ pub unsafe extern "C" fn gusset_net_classes(
     guard_change(context, |job| {
         let net = net_of_handle(net)?;
         fill_buffer((classes, capacity, "classes"), net.shape().node_count(), written?, job, || {
-            let classes = Classes::new_cancellable(net.topology(), &job.part(0.0, 0.8), "classes")?;
+            let classes = NodeClasses::new_cancellable(net.topology(), &job.part(0.0, 0.8), "classes")?;
             Ok(classes.representatives_cancellable(&job.part(0.8, 1.0), "classes")?)
         })
     })
 }
 
 /// Points of several glued nodes.
-pub struct gusset_net_groups(Groups);
+pub struct gusset_net_groups(NodeGroups);
 
 handle! { gusset_net_groups }
 
@@ -59,7 +59,7 @@ pub unsafe extern "C" fn gusset_net_groups_create(
     groups: *mut *mut gusset_net_groups,
 ) -> gusset_status {
     create(context, groups, "groups", |job| {
-        Ok(gusset_net_groups(Classes::new_cancellable(net_of_handle(net)?.topology(), job, "groups")?.groups()?))
+        Ok(gusset_net_groups(NodeClasses::new_cancellable(net_of_handle(net)?.topology(), job, "groups")?.groups()?))
     })
 }
 
@@ -152,7 +152,7 @@ pub unsafe extern "C" fn gusset_net_histogram(
     guard_change(context, |job| {
         let [nodes, cells] = outputs;
         let (nodes, cells) = (nodes?, cells?);
-        let histogram = crate::net::topology::histogram(net_of_handle(net)?.topology(), job)?;
+        let histogram = crate::net::topology::gluing_histogram(net_of_handle(net)?.topology(), job)?;
         job.finish()?;
         nodes.copy_from_slice(&histogram.nodes[..nodes.len()]);
         cells.copy_from_slice(&histogram.cells[..cells.len()]);
@@ -228,7 +228,7 @@ pub unsafe extern "C" fn gusset_net_gluing_occurrences(
     let written = input::cleared_output(written, 0, "written");
     guard_change(context, |job| {
         let written = written?;
-        let all = occurrences(net_of_handle(net)?.topology(), flag(cyclic, "cyclic")?, job)?;
+        let all = find_gluing_occurrences(net_of_handle(net)?.topology(), flag(cyclic, "cyclic")?, job)?;
         fill_buffer((found, capacity, "found"), all.len(), written, job, || {
             Ok(all.iter().map(gusset_gluing_occurrence::from))
         })

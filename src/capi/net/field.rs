@@ -124,8 +124,8 @@ pub(crate) struct GivenField {
 }
 
 impl GivenField {
-    pub(crate) fn to_step(&self) -> Step<'_> {
-        Step { field: &*self.field, strength: self.strength }
+    pub(crate) fn to_step(&self) -> DeformationStep<'_> {
+        DeformationStep { field: &*self.field, strength: self.strength }
     }
 }
 
@@ -203,7 +203,7 @@ impl gusset_field {
         if !time.is_finite() {
             return Err(Error::OptionOutOfRange { option: "time", value: time }.into());
         }
-        Ok(self.strength * TimedStrength::new(&keys, choice(self.easing)?)?.strength(time))
+        Ok(self.strength * TimedStrength::new(&keys, choice(self.easing)?)?.strength_at(time))
     }
 }
 

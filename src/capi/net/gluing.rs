@@ -245,7 +245,7 @@ pub unsafe extern "C" fn gusset_net_get_gluing(
             Ok(topology.matrix()?.to_bytes(shape)?)
         })?;
         fill_buffer(seams, all.len(), &mut found.seam_count, job, || Ok(all.iter().map(gusset_seam::from)))?;
-        report.write(found);
+        report.write_known_fields(found);
         Ok(())
     })
 }

@@ -138,7 +138,7 @@ pub unsafe extern "C" fn gusset_net_planarity(
         let (written, report) = (written?, report?);
         let found = planarity(net_of_handle(net)?, tolerance, job)?;
         input::copy_to_buffer((cells, capacity, "cells"), &found.cells, written, job)?;
-        report.write(gusset_net_planarity_report {
+        report.write_known_fields(gusset_net_planarity_report {
             struct_size: 0,
             worst: found.worst.map_or(0.0, |(off, _)| off),
             worst_cell: found.worst.map_or(u64::MAX, |(_, cell)| cell.into()),

@@ -313,7 +313,7 @@ pub unsafe extern "C" fn gusset_net_from_mesh_create(
         let options = input::read(options, true, "options")?;
         let face = flag(options.has_face, "has_face")?.then_some(options.face);
         let given_mesh = self::mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let (view, job) = (given_mesh.view(), job.part(0.1, 1.0));
+        let (view, job) = (given_mesh.mesh_view(), job.part(0.1, 1.0));
         let found = match options.cells {
             GUSSET_GRID_QUADS => net_of_grid(&view, face, &job)?,
             GUSSET_GRID_TRIANGLES => net_of_triangles(&view, &job)?,

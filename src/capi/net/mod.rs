@@ -308,7 +308,7 @@ pub unsafe extern "C" fn gusset_net_edit(
             planes.matrices_mut().map(|matrix| matrix.as_mut_ptr().cast())
         });
         [lent.x, lent.y, lent.z] = pointers;
-        out.write(lent);
+        out.write_known_fields(lent);
         Ok(())
     })
 }

@@ -32,7 +32,7 @@ impl gusset_net {
     /// Returns the net, for changes. A scene or a copy that shares it keeps the old state.
     pub(crate) fn edit_unshared(&mut self, job: &Job<'_>) -> Result<&mut Net<'static>, Failure> {
         let own = if Arc::get_mut(&mut self.0).is_none() { Some(Arc::new(self.0.copied()?)) } else { None };
-        job.memory()?;
+        job.check_memory()?;
         if let Some(own) = own {
             self.0 = own;
         }

@@ -6,7 +6,7 @@ use crate::capi::handle::{self, handle};
 use crate::capi::input::{Choice, lend_list};
 use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::gusset_status;
-use crate::net::{Finding, FindingKind};
+use crate::net::{FindingKind, ValidationFinding};
 use gusset_base::alloc;
 
 /// Kind of a finding.
@@ -87,7 +87,7 @@ pub unsafe extern "C" fn gusset_net_validation_create(
     validation: *mut *mut gusset_net_validation,
 ) -> gusset_status {
     create(context, validation, "validation", |job| {
-        let finding = |Finding { kind, element, nodes, distance }| gusset_net_finding {
+        let finding = |ValidationFinding { kind, element, nodes, distance }| gusset_net_finding {
             kind: kind.number(),
             element,
             nodes,

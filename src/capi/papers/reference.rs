@@ -136,7 +136,7 @@ impl gusset_reference_task {
         Ok(AngleTarget { direction: DVec3::from_array(self.direction), angle: self.angle, unsigned })
     }
 
-    fn search(&self, sheet: &Sheet<'_>, job: &Job<'_>) -> Result<SearchOutcome, Failure> {
+    fn search_sheet(&self, sheet: &Sheet<'_>, job: &Job<'_>) -> Result<SearchOutcome, Failure> {
         let (options, target) = (self.search_options()?, self.angle_target()?);
         let Some(figure) = self.distance_figure()? else { return self.angle_incidence(sheet, target, &options, job) };
         let diameters = Diameters::new(sheet, &job.part(0.0, 0.5))?;
@@ -195,7 +195,7 @@ pub unsafe extern "C" fn gusset_sheet_reference_mask(
     report: *mut gusset_reference_report,
 ) -> gusset_status {
     run_and_write_search(context, (words, capacity, written), report, task, |task, job| {
-        task.search(sheet_of_handle(sheet)?, job)
+        task.search_sheet(sheet_of_handle(sheet)?, job)
     })
 }
 
@@ -217,7 +217,7 @@ fn run_and_write_search(
         input::copy_to_buffer((words, capacity, "words"), found.mask.words(), written, job)?;
         let ([row, column], min_distance) = found.least;
         if let Some(report) = report {
-            report.write(gusset_reference_report {
+            report.write_known_fields(gusset_reference_report {
                 struct_size: 0,
                 cells: found.mask.count() as u64,
                 evaluations: found.evaluations,

@@ -152,7 +152,7 @@ pub unsafe extern "C" fn gusset_winged_create(
     create(context, winged, "winged", |job| {
         let winding = choice(input::read(options, true, "options")?.winding)?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         let tables = WingedEdges::new(&mesh, winding, &job.part(0.2, 0.9))?;
         let loops = free_loops(&tables, &job.part(0.9, 1.0))?;
         Ok(gusset_winged { tables, loops })

@@ -93,7 +93,10 @@ unsafe extern "C" fn apply_channel(
     let fault = outcome.err();
     let status = fault.as_ref().map_or(GUSSET_PLUGIN_DONE, |fault| fault.failure.status as i32);
     if let Some(told) = told {
-        told.write(failure_report(fault.as_ref(), if fault.is_some() { status::text(status) } else { c"" }));
+        told.write_known_fields(failure_report(
+            fault.as_ref(),
+            if fault.is_some() { status::text(status) } else { c"" },
+        ));
     }
     status
 }

@@ -34,7 +34,7 @@ pub(super) enum GivenInput<'a> {
 impl GivenInput<'_> {
     pub(super) fn as_filter_input(&self) -> Input<'_> {
         match self {
-            GivenInput::Mesh(mesh) => Input::Mesh(mesh.view()),
+            GivenInput::Mesh(mesh) => Input::Mesh(mesh.mesh_view()),
             GivenInput::Curves(curves) => Input::Curves(curves),
         }
     }

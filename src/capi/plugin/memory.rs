@@ -19,7 +19,7 @@ pub extern "C" fn gusset_memory_allocate(size: usize) -> *mut u8 {
     let Some(layout) = block_layout(size) else { return ptr::null_mut() };
     // SAFETY: a layout of more than no bytes.
     let block = unsafe { alloc(layout) };
-    if reserve::holds(block) {
+    if reserve::contains_block(block) {
         // SAFETY: a block of that layout, which nobody has.
         unsafe { dealloc(block, layout) };
         return ptr::null_mut();

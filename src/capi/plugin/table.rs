@@ -41,8 +41,8 @@ unsafe impl Sync for PluginTable {}
 
 /// Returns the tables, which the first call builds.
 pub(super) fn plugin_table() -> &'static PluginTable {
-    static TABLE: OnceLock<PluginTable> = OnceLock::new();
-    TABLE.get_or_init(|| PluginTable {
+    static PLUGIN_TABLE: OnceLock<PluginTable> = OnceLock::new();
+    PLUGIN_TABLE.get_or_init(|| PluginTable {
         plugin: gusset_plugin {
             struct_size: size_of::<gusset_plugin>(),
             abi: GUSSET_PLUGIN_ABI,

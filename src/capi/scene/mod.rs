@@ -74,7 +74,7 @@ pub(crate) fn scene_of_handle<'a>(scene: *const gusset_scene) -> Result<&'a Scen
 }
 
 fn scene_of_handle_mut<'a>(scene: *mut gusset_scene, job: &Job<'_>) -> Result<&'a mut Scene, Failure> {
-    job.memory()?;
+    job.check_memory()?;
     Ok(&mut handle::get_object_mut(scene, "scene")?.0)
 }
 

@@ -222,7 +222,7 @@ pub unsafe extern "C" fn gusset_sheet_measure(
             to.into_iter().zip(&flat).for_each(|(to, from)| to.iter_mut().zip(from).for_each(|(x, y)| *x = y[k]));
         }
         if let Some(out) = out {
-            out.write(gusset_sheet_measures {
+            out.write_known_fields(gusset_sheet_measures {
                 struct_size: 0,
                 diameter,
                 intrinsic_diameter,

@@ -46,7 +46,7 @@ impl Aabb {
 
     /// Returns the Minkowski sum: all sums of a point of each box.
     #[inline]
-    pub fn sum(self, other: Aabb) -> Aabb {
+    pub fn minkowski_sum(self, other: Aabb) -> Aabb {
         Aabb { low: self.low + other.low, high: self.high + other.high }
     }
 
@@ -153,7 +153,7 @@ mod tests {
             prop_assert_eq!(a.overlaps(&b), between == 0.0);
             prop_assert_eq!(a.separation(&b).max_element() <= 0.0, between == 0.0);
             prop_assert_eq!(a.union(b), Aabb::from_points(p.iter().chain(&q)));
-            prop_assert_eq!(a.sum(b), Aabb::from_points(of_a.iter().flat_map(|&x| of_b.iter().map(move |&y| x + y))));
+            prop_assert_eq!(a.minkowski_sum(b), Aabb::from_points(of_a.iter().flat_map(|&x| of_b.iter().map(move |&y| x + y))));
             prop_assert_eq!(a.max_norm(), of_a.iter().map(|x| x.length()).fold(0.0, f64::max));
             prop_assert_eq!(grid_points(&a.inflated(1.0)).len() as f64, (a.size() + 3.0).element_product());
         }

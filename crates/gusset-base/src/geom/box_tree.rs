@@ -9,7 +9,7 @@ use super::Aabb;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
-use crate::sort::{select, select_reported};
+use crate::sort::{select_by_rank, select_reported};
 use glam::DVec3;
 
 /// The tree. Takes 48 bytes a node, with at most four nodes for each leaf.
@@ -55,7 +55,7 @@ impl BoxTree {
 
     /// Visits the leaves whose boxes are closer to `p` than the best distance so far, the nearer
     /// child first. `leaf` receives the index of a leaf and returns the new best squared distance.
-    pub fn nearest(&self, p: glam::DVec3, mut best: f64, leaf: &mut impl FnMut(usize) -> f64) {
+    pub fn visit_nearest(&self, p: glam::DVec3, mut best: f64, leaf: &mut impl FnMut(usize) -> f64) {
         // The stack holds at most one node of each level besides the current one.
         let mut stack = [(0usize, 0.0); 64];
         let mut len = 1;
@@ -163,7 +163,7 @@ fn split_boxes_unreported(boxes: &[Aabb], order: &mut [u32], group_size: usize) 
     if order.len() > group_size {
         let (end, axis) = split_rule(boxes, order);
         let split_position = split_position(order, group_size);
-        select(order, split_position, |i| end(&boxes[i as usize])[axis]);
+        select_by_rank(order, split_position, |i| end(&boxes[i as usize])[axis]);
         let (first, second) = order.split_at_mut(split_position);
         split_boxes_unreported(boxes, first, group_size);
         split_boxes_unreported(boxes, second, group_size);
@@ -220,7 +220,7 @@ mod tests {
                 }
                 let point = query.high + k as f64 / 7.0;
                 let mut best = f64::INFINITY;
-                tree.nearest(point, best, &mut |leaf| {
+                tree.visit_nearest(point, best, &mut |leaf| {
                     let group = order.chunks(group).nth(leaf).unwrap();
                     let distance = |&i: &u32| boxes[i as usize].distance_squared(point);
                     best = group.iter().map(distance).fold(best, f64::min);

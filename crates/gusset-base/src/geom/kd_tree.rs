@@ -10,7 +10,7 @@ use crate::error::Result;
 use crate::geom::Aabb;
 use crate::geom::scale::common_unit;
 use crate::job::Job;
-use crate::sort::{select, select_reported};
+use crate::sort::{select_by_rank, select_reported};
 use glam::DVec3;
 use std::ops::{ControlFlow, Range};
 
@@ -320,7 +320,7 @@ fn split_points_reported(
 fn split_points(points: &[DVec3], order: &mut [u32], axes: &mut [u8]) {
     if order.len() > MAX_LEAF_POINTS {
         let axis = longest_axis(points, order);
-        select(order, order.len() / 2, |i| points[i as usize][axis]);
+        select_by_rank(order, order.len() / 2, |i| points[i as usize][axis]);
         halves_around_middle(order, axes, axis).into_iter().for_each(|(order, axes)| split_points(points, order, axes));
     }
 }

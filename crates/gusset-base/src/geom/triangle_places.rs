@@ -62,7 +62,7 @@ impl<'a> TriangleTree<'a> {
             best.squared
         };
         let limit = guess.map_or(limit, &mut look);
-        self.tree.nearest(p, limit, &mut |leaf| self.order.get(leaf).map_or(limit, |&triangle| look(triangle)));
+        self.tree.visit_nearest(p, limit, &mut |leaf| self.order.get(leaf).map_or(limit, |&triangle| look(triangle)));
         (best.triangle != u32::MAX).then_some(best)
     }
 }

@@ -13,7 +13,7 @@ use crate::alloc;
 use crate::error::Result;
 use crate::geom::Aabb;
 use crate::job::Job;
-use crate::sort::select;
+use crate::sort::select_by_rank;
 use glam::DVec3;
 
 /// A separator is too long above this multiple of the separator of a square with the same number of
@@ -26,27 +26,27 @@ const UNKNOWNS_PER_REPORT: usize = 1 << 14;
 
 /// Sorts the unknowns in `order` into the order of elimination. `couplings` tells which unknowns
 /// share an equation. O(n log n); extra memory: 5 bytes a point.
-pub fn dissect(order: &mut [u32], points: &[DVec3], couplings: impl Coupling, job: &Job<'_>) -> Result<()> {
+pub fn dissect(order: &mut [u32], points: &[DVec3], couplings: impl UnknownCouplings, job: &Job<'_>) -> Result<()> {
     let n = order.len();
     let stamp = alloc::filled(0u32, points.len())?;
     let whole = n * (n / MAX_LEAF_UNKNOWNS + 1).ilog2() as usize;
-    Dissection { points, couplings, stamp, part: 0, job: *job, whole, done: 0, reported: 0 }.halve_unknowns(order)
+    NestedDissection { points, couplings, stamp, part: 0, job: *job, whole, done: 0, reported: 0 }.halve_unknowns(order)
 }
 
 /// The couplings between unknowns. Two unknowns are coupled if a row of the equations has both.
-pub trait Coupling {
+pub trait UnknownCouplings {
     /// Visits the rows that have an entry of an unknown.
     fn each_row(&self, v: u32, visit: impl FnMut(usize));
 
     /// Returns the distance over which unknowns are coupled, in edges.
-    fn reach(&self) -> usize;
+    fn coupling_reach(&self) -> usize;
 
     /// Returns true if an unknown is coupled with one that has an entry in a row accepted by
     /// `is_marked`.
-    fn touches(&self, v: u32, is_marked: impl Fn(usize) -> bool) -> bool;
+    fn is_coupled_to_marked(&self, v: u32, is_marked: impl Fn(usize) -> bool) -> bool;
 }
 
-struct Dissection<'a, C> {
+struct NestedDissection<'a, C> {
     points: &'a [DVec3],
     couplings: C,
     /// The last part whose first half touches the row of this vertex.
@@ -60,7 +60,7 @@ struct Dissection<'a, C> {
     reported: usize,
 }
 
-impl<C: Coupling> Dissection<'_, C> {
+impl<C: UnknownCouplings> NestedDissection<'_, C> {
     fn halve_unknowns(&mut self, order: &mut [u32]) -> Result<()> {
         if order.len() <= MAX_LEAF_UNKNOWNS {
             return Ok(());
@@ -73,7 +73,7 @@ impl<C: Coupling> Dissection<'_, C> {
         let size = Aabb::from_points(order.iter().map(|&v| self.points[v as usize])).size();
         let longest = size.max_position();
         let mut separator = self.cut_across_axis(order, longest);
-        let most = MAX_RELATIVE_SEPARATOR * self.couplings.reach();
+        let most = MAX_RELATIVE_SEPARATOR * self.couplings.coupling_reach();
         if (order.len() - separator).pow(2) > most * most * order.len() {
             let mut best = (separator, longest);
             for axis in (0..3).filter(|&axis| axis != longest && size[axis] > 0.0) {
@@ -95,7 +95,7 @@ impl<C: Coupling> Dissection<'_, C> {
     fn cut_across_axis(&mut self, order: &mut [u32], axis: usize) -> usize {
         let middle = order.len() / 2;
         let points = self.points;
-        select(order, middle, |v| points[v as usize][axis]);
+        select_by_rank(order, middle, |v| points[v as usize][axis]);
 
         self.part += 1;
         let (stamp, part) = (&mut self.stamp, self.part);
@@ -103,7 +103,7 @@ impl<C: Coupling> Dissection<'_, C> {
         let mut separator = order.len();
         let mut i = middle;
         while i < separator {
-            if self.couplings.touches(order[i], |row| self.stamp[row] == self.part) {
+            if self.couplings.is_coupled_to_marked(order[i], |row| self.stamp[row] == self.part) {
                 separator -= 1;
                 order.swap(i, separator);
             } else {
@@ -122,16 +122,16 @@ mod tests {
     /// neighbours.
     struct GridCouplings(usize);
 
-    impl Coupling for GridCouplings {
+    impl UnknownCouplings for GridCouplings {
         fn each_row(&self, v: u32, mut visit: impl FnMut(usize)) {
             visit(v as usize);
         }
 
-        fn reach(&self) -> usize {
+        fn coupling_reach(&self) -> usize {
             1
         }
 
-        fn touches(&self, v: u32, found: impl Fn(usize) -> bool) -> bool {
+        fn is_coupled_to_marked(&self, v: u32, found: impl Fn(usize) -> bool) -> bool {
             let (i, j) = (v as usize / self.0, v as usize % self.0);
             let beside = |k: usize, end: usize| k.saturating_sub(1)..end.min(k + 2);
             beside(i, GRID_ROWS).any(|i| beside(j, self.0).any(|j| found(i * self.0 + j)))

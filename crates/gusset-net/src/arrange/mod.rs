@@ -24,7 +24,7 @@ use std::ops::Range;
 
 /// A symmetry of the rectangle of nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub enum Turn {
+pub enum GridSymmetry {
     /// Keeps rows and columns.
     #[default]
     None,
@@ -116,16 +116,16 @@ impl Net<'_> {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub fn turned_by(&self, turn: Turn, job: &Job<'_>) -> Result<Net<'static>> {
+    pub fn turned_by(&self, turn: GridSymmetry, job: &Job<'_>) -> Result<Net<'static>> {
         match turn {
-            Turn::None => self.copied(),
-            Turn::Quarter => self.turned(1, job),
-            Turn::Half => self.turned(2, job),
-            Turn::ThreeQuarters => self.turned(3, job),
-            Turn::FlipColumns => self.flipped(Direction::Right, job),
-            Turn::FlipRows => self.flipped(Direction::Down, job),
-            Turn::Transpose => self.transposed(job),
-            Turn::Antitranspose => self.transposed(&job.part(0.0, 0.4))?.turned(2, &job.part(0.4, 1.0)),
+            GridSymmetry::None => self.copied(),
+            GridSymmetry::Quarter => self.turned(1, job),
+            GridSymmetry::Half => self.turned(2, job),
+            GridSymmetry::ThreeQuarters => self.turned(3, job),
+            GridSymmetry::FlipColumns => self.flipped(Direction::Right, job),
+            GridSymmetry::FlipRows => self.flipped(Direction::Down, job),
+            GridSymmetry::Transpose => self.transposed(job),
+            GridSymmetry::Antitranspose => self.transposed(&job.part(0.0, 0.4))?.turned(2, &job.part(0.4, 1.0)),
         }
     }
 
@@ -167,7 +167,7 @@ impl Bridge {
         let count = axis.extents_along_and_across(shape).0 as u32;
         let bridge = self.without_adaptations();
         if self.direction == axis {
-            Bridge { at: count - self.first_side() - 1, ..bridge }
+            Bridge { at: count - self.first_side_line() - 1, ..bridge }
         } else {
             Bridge { start: count - self.end, end: count - self.start, ..bridge }
         }
@@ -176,9 +176,9 @@ impl Bridge {
     /// Returns the part of the bridge within a rectangle, if a cell of it is. Where the rectangle
     /// ends among the inner rows, the last of them is the side.
     pub(crate) fn clipped_to(&self, rows: &Range<usize>, columns: &Range<usize>) -> Option<Bridge> {
-        let (across, along) = self.direction.ordered(rows, columns);
+        let (across, along) = self.direction.order_along_first(rows, columns);
         let (start, end) = (along.start.max(self.start as usize), along.end.min(self.end as usize));
-        let (side, at) = (self.first_side() as usize, self.at as usize);
+        let (side, at) = (self.first_side_line() as usize, self.at as usize);
         let (first, last) = (side.max(across.start), at.min(across.end.saturating_sub(1)));
         if first >= last || end < start + 2 {
             return None;

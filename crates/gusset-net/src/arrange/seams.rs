@@ -68,7 +68,7 @@ type SeamStart = ([RowColumn; 2], [RowColumn; 2]);
 pub(crate) fn merge_seams(seams: &[Seam]) -> Result<Vec<Seam>> {
     let mut starts: Vec<(SeamStart, usize)> = alloc::with_capacity(4 * seams.len())?;
     for (index, seam) in seams.iter().enumerate().filter(|(_, seam)| seam.count > 1) {
-        starts.extend(seam.spellings().map(|seam| (seam_start(seam), index)));
+        starts.extend(seam.equivalent_spellings().map(|seam| (seam_start(seam), index)));
     }
     starts.sort_unstable();
     let mut used = alloc::filled(false, seams.len())?;

@@ -73,11 +73,11 @@ impl Cuboid {
             (0..h).filter(|&i| i == 0 || self.height_of_row(i) == self.height_of_row(i - 1) || self.depth_in_cap(i) > 0)
         {
             for j in 0..w {
-                let here = self.place(i, j);
-                if j + 1 < w && here == self.place(i, j + 1) {
+                let here = self.lattice_point(i, j);
+                if j + 1 < w && here == self.lattice_point(i, j + 1) {
                     matrix.set(shape.horizontal_link(i, j), true);
                 }
-                if i > 0 && here == self.place(i - 1, j) {
+                if i > 0 && here == self.lattice_point(i - 1, j) {
                     matrix.set(shape.vertical_link(i - 1, j), true);
                 }
             }
@@ -103,7 +103,7 @@ impl Cuboid {
 
     /// Returns the place of node (i, j), in cells from the corner of the box. Rows run from the
     /// bottom to the top, and columns around the box, counter-clockwise seen from above.
-    pub fn place(&self, i: usize, j: usize) -> [u32; 3] {
+    pub fn lattice_point(&self, i: usize, j: usize) -> [u32; 3] {
         let [a, b, _] = self.cells;
         let (depth, column) = (self.depth_in_cap(i) as u32, j as u32 % (2 * (a + b)));
         let [x, y] = match self.kind {

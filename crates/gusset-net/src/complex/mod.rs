@@ -20,7 +20,7 @@ pub use boundary::{BoundaryChains, Edge};
 pub use quotient::Complex;
 
 use super::Net;
-use super::topology::{Classes, Topology};
+use super::topology::{NodeClasses, Topology};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use presence::CellPresence;
@@ -34,7 +34,7 @@ impl Complex {
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
     pub fn from_topology(topology: &Topology, job: &Job<'_>) -> Result<Self> {
-        Complex::new(topology, &CellPresence::ALL, job)
+        Complex::new(topology, &CellPresence::ALL_CELLS, job)
     }
 
     /// Returns the complex of the existing cells of a net; see [`Net`].
@@ -48,7 +48,7 @@ impl Complex {
     }
 
     fn new(topology: &Topology, presence: &CellPresence, job: &Job<'_>) -> Result<Self> {
-        let classes = Classes::new(topology)?;
+        let classes = NodeClasses::new(topology)?;
         let mut complex = Complex::default();
         let mut scan = RowScan::new(&classes, presence, &mut complex, &job.part(0.0, 0.5))?;
         edges::group_sides_into_edges(&mut scan, &mut complex)?;

@@ -13,7 +13,7 @@ pub(super) struct CellPresence {
 
 impl CellPresence {
     /// All cells.
-    pub(super) const ALL: CellPresence = CellPresence { cells: None };
+    pub(super) const ALL_CELLS: CellPresence = CellPresence { cells: None };
 
     /// Returns the existing cells of a net. O(nodes).
     pub(super) fn from_net(net: &Net<'_>) -> Result<Self> {

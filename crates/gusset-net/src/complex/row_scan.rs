@@ -9,7 +9,7 @@ use super::boundary::{Edge, FanEnds};
 use super::presence::CellPresence;
 use super::quotient::Complex;
 use crate::Shape;
-use crate::topology::{Classes, ReducedCell};
+use crate::topology::{NodeClasses, ReducedCell};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -43,7 +43,7 @@ pub(super) type FaceCorner = [u32; 3];
 /// The elements that the pass collects.
 pub(super) struct RowScan<'a> {
     shape: Shape,
-    classes: &'a Classes,
+    classes: &'a NodeClasses,
     /// For each node [`NODE_IS_GLUED`], [`NODE_IS_NEAR_GLUED`], or neither.
     marks: Vec<u8>,
     pub(super) sides: Vec<FaceSide>,
@@ -63,7 +63,7 @@ const NODE_IS_NEAR_GLUED: u8 = 2;
 impl<'a> RowScan<'a> {
     /// Scans the net and counts its regular elements in `complex`.
     pub(super) fn new(
-        classes: &'a Classes,
+        classes: &'a NodeClasses,
         presence: &CellPresence,
         complex: &mut Complex,
         job: &Job<'_>,
@@ -214,7 +214,7 @@ impl<'a> RowScan<'a> {
 }
 
 /// Marks the glued nodes and their neighbours.
-fn mark_glued_nodes(classes: &Classes) -> Result<Vec<u8>> {
+fn mark_glued_nodes(classes: &NodeClasses) -> Result<Vec<u8>> {
     let shape = classes.shape();
     let (h, w) = (shape.rows(), shape.columns());
     let mut marks: Vec<u8> = alloc::zeroed(shape.node_count())?;

@@ -32,7 +32,7 @@ impl GluedEdges {
             for link in range.map(|link| link as u32).filter(|&link| shape.is_inner(link)) {
                 let ends = shape.ends(link);
                 if used.has_glued_end(ends) {
-                    used.add(ends.map(|node| classes[node as usize]))?;
+                    used.add_edge(ends.map(|node| classes[node as usize]))?;
                 }
             }
             Ok(())
@@ -46,7 +46,7 @@ impl GluedEdges {
     }
 
     /// Adds an edge between two classes.
-    pub(super) fn add(&mut self, ends: [u32; 2]) -> Result<()> {
+    pub(super) fn add_edge(&mut self, ends: [u32; 2]) -> Result<()> {
         if self.has_glued_end(ends) {
             let bytes = size_of::<[u32; 2]>() as u64 * (self.edges.len() as u64 + 1);
             self.edges.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes })?;

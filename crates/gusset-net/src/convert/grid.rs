@@ -64,7 +64,7 @@ enum CellNeighbour {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Heading {
+enum GridHeading {
     Up,
     Right,
     Down,
@@ -105,7 +105,7 @@ impl QuadWalker<'_> {
     }
 
     /// Returns the neighbour of the quad of `h`.
-    fn neighbour_of_quad(&self, h: u32, heading: Heading) -> Result<CellNeighbour> {
+    fn neighbour_of_quad(&self, h: u32, heading: GridHeading) -> Result<CellNeighbour> {
         let turns = heading as usize;
         let edge = self.advance_around_face(h, turns);
         if self.pairing.is_ignored(edge) {
@@ -130,7 +130,7 @@ impl QuadWalker<'_> {
 
     /// Returns the last cell of a walk and its neighbour, which is the first cell if the walk is
     /// closed.
-    fn walk_to_end(&self, from: u32, heading: Heading) -> Result<(u32, CellNeighbour)> {
+    fn walk_to_end(&self, from: u32, heading: GridHeading) -> Result<(u32, CellNeighbour)> {
         let mut at = from;
         loop {
             match self.neighbour_of_quad(at, heading)? {
@@ -160,7 +160,7 @@ impl QuadGrid {
         let count = walker.mesh.faces().len();
         grid.add_row(walker, head)?;
         let (mut row, mut next_report) = (head, 0);
-        while let CellNeighbour::Quad(next) = walker.neighbour_of_quad(row, Heading::Down)? {
+        while let CellNeighbour::Quad(next) = walker.neighbour_of_quad(row, GridHeading::Down)? {
             if grid.cells.len() >= next_report {
                 job.step(0.5 * grid.cells.len() as f64 / count as f64, STAGE)?;
                 next_report = grid.cells.len() + CELLS_PER_REPORT;
@@ -178,7 +178,7 @@ impl QuadGrid {
         }
         grid.check_columns(walker, &job.part(0.5, 1.0))?;
         let last = grid.cells.len() - grid.columns;
-        grid.poles = [grid.pole_fan(walker, 0, Heading::Up)?, grid.pole_fan(walker, last, Heading::Down)?];
+        grid.poles = [grid.pole_fan(walker, 0, GridHeading::Up)?, grid.pole_fan(walker, last, GridHeading::Down)?];
         Ok(grid)
     }
 
@@ -206,13 +206,13 @@ impl QuadGrid {
             }
             _ => return Err(Error::NoGrid { face }),
         };
-        let ends = |h: u32, heading: Heading| walker.walk_to_end(h, heading).map(|(_, end)| end);
-        let sideways = [ends(quad, Heading::Left)?, ends(quad, Heading::Right)?];
+        let ends = |h: u32, heading: GridHeading| walker.walk_to_end(h, heading).map(|(_, end)| end);
+        let sideways = [ends(quad, GridHeading::Left)?, ends(quad, GridHeading::Right)?];
         let pole_aside = sideways.iter().any(|end| matches!(end, CellNeighbour::Triangle(_)));
-        let closed_up = matches!(ends(quad, Heading::Up)?, CellNeighbour::Quad(_));
+        let closed_up = matches!(ends(quad, GridHeading::Up)?, CellNeighbour::Quad(_));
         let turn = pole_aside || (closed_up && !matches!(sideways[0], CellNeighbour::Quad(_)));
         let mut head = if turn { walker.advance_around_face(quad, 1) } else { quad };
-        for heading in [Heading::Left, Heading::Up] {
+        for heading in [GridHeading::Left, GridHeading::Up] {
             let (last, end) = walker.walk_to_end(head, heading)?;
             // Closed rows and columns start at the first quad.
             if !matches!(end, CellNeighbour::Quad(_)) {
@@ -228,7 +228,7 @@ impl QuadGrid {
         let mut at = head;
         let closed = loop {
             alloc::push(&mut self.cells, at)?;
-            match walker.neighbour_of_quad(at, Heading::Right)? {
+            match walker.neighbour_of_quad(at, GridHeading::Right)? {
                 CellNeighbour::Quad(next) if next == head => break true,
                 CellNeighbour::Quad(next) => at = next,
                 CellNeighbour::Border => break false,
@@ -260,17 +260,20 @@ impl QuadGrid {
                 (true, Some(_)) => return Err(walker.no_grid_error(cell)),
                 (true, None) => None,
             };
-            match (walker.neighbour_of_quad(cell, Heading::Down)?, below) {
+            match (walker.neighbour_of_quad(cell, GridHeading::Down)?, below) {
                 (CellNeighbour::Quad(next), Some(&below)) if next == below => {}
                 (CellNeighbour::Border | CellNeighbour::Triangle(_), None) => {}
                 _ => return Err(walker.no_grid_error(cell)),
             }
-            if j == 0 && !self.rows_closed && walker.neighbour_of_quad(cell, Heading::Left)? != CellNeighbour::Border {
+            if j == 0
+                && !self.rows_closed
+                && walker.neighbour_of_quad(cell, GridHeading::Left)? != CellNeighbour::Border
+            {
                 return Err(walker.no_grid_error(cell));
             }
             if i == 0
                 && self.shift.is_none()
-                && matches!(walker.neighbour_of_quad(cell, Heading::Up)?, CellNeighbour::Quad(_))
+                && matches!(walker.neighbour_of_quad(cell, GridHeading::Up)?, CellNeighbour::Quad(_))
             {
                 return Err(walker.no_grid_error(cell));
             }
@@ -280,7 +283,7 @@ impl QuadGrid {
 
     /// Returns the fan beyond the row that starts at `first`. Either every cell has a triangle, and
     /// all have the same third corner, or none has one.
-    fn pole_fan(&self, walker: &QuadWalker<'_>, first: usize, heading: Heading) -> Result<Option<Vec<u32>>> {
+    fn pole_fan(&self, walker: &QuadWalker<'_>, first: usize, heading: GridHeading) -> Result<Option<Vec<u32>>> {
         if self.shift.is_some() {
             return Ok(None);
         }

@@ -8,7 +8,7 @@ use super::glued_edges::GluedEdges;
 use crate::hidden_cells::HiddenCells;
 use crate::shape::sorted_pair;
 use crate::topology::ReducedCell;
-use crate::{Classes, Net, Real, Shape, XyzMatrices, each};
+use crate::{Net, NodeClasses, Real, Shape, XyzMatrices, each};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -84,7 +84,7 @@ pub struct NetMesh {
     /// glued, such as threads.
     pub wires: Vec<[u32; 2]>,
     /// Texture coordinates, if requested.
-    pub texture: Option<Texture>,
+    pub texture: Option<TextureCoordinates>,
 }
 
 /// Texture coordinates: column and row, each from 0 to 1 (u = j / (W - 1), v = i / (H - 1)).
@@ -92,14 +92,14 @@ pub struct NetMesh {
 /// They belong to nodes instead of vertices. A vertex on a seam has a pair of coordinates on each
 /// side, so that an image covers a closed net once and does not run back within its last column.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Texture {
+pub struct TextureCoordinates {
     /// u and v, once for each node that a face uses, in the order of the nodes.
     pub coordinates: Vec<[f64; 2]>,
     /// For each corner of the mesh the index of its coordinates.
     pub corners: Vec<u32>,
 }
 
-impl Texture {
+impl TextureCoordinates {
     /// Returns the texture coordinates of faces given by nodes.
     fn new(shape: Shape, nodes: &[u32], job: &Job<'_>) -> Result<Self> {
         let mut number =
@@ -123,7 +123,7 @@ impl Texture {
             &job.part(0.8, 1.0),
             NUMBERING_STAGE,
         )?;
-        Ok(Texture { coordinates, corners })
+        Ok(TextureCoordinates { coordinates, corners })
     }
 }
 
@@ -152,7 +152,7 @@ fn build_mesh<T: Real>(
     let shape = net.shape();
     let first = job.part(0.0, 0.1);
     let classes = if options.weld {
-        Classes::new_cancellable(net.topology(), &first.part(0.0, 0.7), FACES_STAGE)?
+        NodeClasses::new_cancellable(net.topology(), &first.part(0.0, 0.7), FACES_STAGE)?
             .representatives_cancellable(&first.part(0.7, 1.0), FACES_STAGE)?
     } else {
         alloc::collect_cancellable((0..shape.node_count()).map(|node| node as u32), &first, FACES_STAGE)?
@@ -189,7 +189,7 @@ fn build_mesh<T: Real>(
     if let Some(ratio) = options.max_edge_ratio {
         faces.drop_long_faces(ratio, &job.part(0.7, 0.8))?;
     }
-    faces.finish(options, &job.part(0.8, 1.0))
+    faces.finish_mesh(options, &job.part(0.8, 1.0))
 }
 
 /// The nodes at which classes lie.
@@ -318,7 +318,7 @@ impl<T: Real> FaceBuilder<'_, T> {
         let [chosen, other] = if along { [0, 1] } else { [1, 0] };
         let chosen = if is_used(chosen) && !is_used(other) { other } else { chosen };
         if let Some(used) = &mut self.used {
-            used.add(ends[chosen])?;
+            used.add_edge(ends[chosen])?;
         }
         let [first, second] = if chosen == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
         self.push_face(&first, cell)?;
@@ -417,7 +417,7 @@ impl<T: Real> FaceBuilder<'_, T> {
     }
 
     /// Numbers the vertices in the order of their nodes, and completes the mesh.
-    fn finish(mut self, options: &MeshOptions, job: &Job<'_>) -> Result<NetMesh> {
+    fn finish_mesh(mut self, options: &MeshOptions, job: &Job<'_>) -> Result<NetMesh> {
         let part = |from: f64, to: f64| job.part(from, to);
         let wires = self.edges_without_faces(&part(0.0, 0.2))?;
         let mut vertex =
@@ -442,7 +442,8 @@ impl<T: Real> FaceBuilder<'_, T> {
             }
             Ok(())
         })?;
-        let texture = options.texture.then(|| Texture::new(self.planes.shape(), &self.nodes, &part(0.5, 0.7)));
+        let texture =
+            options.texture.then(|| TextureCoordinates::new(self.planes.shape(), &self.nodes, &part(0.5, 0.7)));
         let texture = texture.transpose()?;
         part(0.7, 0.8).ranges(NUMBERING_STAGE, self.nodes.len(), |range| {
             self.nodes[range].iter_mut().for_each(|node| *node = vertex[*node as usize]);

@@ -12,5 +12,5 @@ mod triangles;
 
 pub use grid::{RecognisedNet, net_of_grid};
 pub use heights::{Heights, net_of_heights};
-pub use mesh::{Diagonal, MeshOptions, NetMesh, Texture};
+pub use mesh::{Diagonal, MeshOptions, NetMesh, TextureCoordinates};
 pub use triangles::net_of_triangles;

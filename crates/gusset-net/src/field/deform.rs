@@ -1,6 +1,6 @@
 //! Chains of fields applied to a net in one pass. O(nodes x fields).
 
-use super::map::{Field, Points};
+use super::space_map::{Field, PointsMut};
 use crate::chunks::{self, MAX_NODES_PER_CHUNK};
 use crate::{Net, Real, XyzMatrices, each};
 use gusset_base::error::{Error, Result};
@@ -8,7 +8,7 @@ use gusset_base::job::Job;
 
 /// One field of a chain.
 #[derive(Clone, Copy)]
-pub struct Step<'a> {
+pub struct DeformationStep<'a> {
     /// The field.
     pub field: &'a dyn Field,
     /// The strength at which the field is applied, 1 for the whole field. For fields that change
@@ -27,7 +27,7 @@ pub struct Step<'a> {
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a strength that is not finite, [`Error::FieldUndefined`],
 /// [`Error::Cancelled`].
-pub fn deform(net: &mut Net<'_>, steps: &[Step<'_>], job: &Job<'_>) -> Result<()> {
+pub fn deform(net: &mut Net<'_>, steps: &[DeformationStep<'_>], job: &Job<'_>) -> Result<()> {
     steps.iter().try_for_each(|step| Error::require(step.strength.is_finite(), "strength", step.strength))?;
     job.step(0.0, "deform")?;
     each!(net.coordinates_mut(), planes => {
@@ -39,7 +39,7 @@ pub fn deform(net: &mut Net<'_>, steps: &[Step<'_>], job: &Job<'_>) -> Result<()
     })
 }
 
-fn apply_steps<T: Real>(planes: &mut XyzMatrices<'_, T>, steps: &[Step<'_>], threads: usize) -> Result<()> {
+fn apply_steps<T: Real>(planes: &mut XyzMatrices<'_, T>, steps: &[DeformationStep<'_>], threads: usize) -> Result<()> {
     if steps.iter().all(|step| step.strength == 0.0) {
         return Ok(());
     }
@@ -55,7 +55,7 @@ fn apply_steps<T: Real>(planes: &mut XyzMatrices<'_, T>, steps: &[Step<'_>], thr
 
 /// Returns [`Error::FieldUndefined`] for the first finite node of a chunk whose image is not
 /// finite.
-fn check_images_finite<T: Real>(steps: &[Step<'_>], first: usize, rows: &[&mut [T]; 3]) -> Result<()> {
+fn check_images_finite<T: Real>(steps: &[DeformationStep<'_>], first: usize, rows: &[&mut [T]; 3]) -> Result<()> {
     let mut scratch = [[0.0; MAX_NODES_PER_CHUNK]; 3];
     let [x, y, z] = map_nodes(steps, rows, &mut scratch);
     let undefined = (0..x.len()).find(|&k| {
@@ -68,10 +68,10 @@ fn check_images_finite<T: Real>(steps: &[Step<'_>], first: usize, rows: &[&mut [
 
 /// Returns the nodes of a chunk, in double precision, after all fields.
 fn map_nodes<'a, T: Real>(
-    steps: &[Step<'_>],
+    steps: &[DeformationStep<'_>],
     rows: &[&mut [T]; 3],
     scratch: &'a mut [[f64; MAX_NODES_PER_CHUNK]; 3],
-) -> Points<'a> {
+) -> PointsMut<'a> {
     let count = rows[0].len();
     let [x, y, z] = scratch;
     let [x, y, z] = [&mut x[..count], &mut y[..count], &mut z[..count]];

@@ -1,7 +1,7 @@
 //! Free-form deformation: Sederberg and Parry, "Free-Form Deformation of Solid Geometric Models",
 //! 1986. A tensor product of Bernstein polynomials over a box; O(control points) a node.
 
-use super::map::{Field, Points, check_parameters_finite, map_each_point};
+use super::space_map::{Field, PointsMut, check_parameters_finite, map_each_point};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -78,7 +78,7 @@ fn bernstein_weights(count: usize, t: f64) -> [f64; MAX_POINTS] {
 }
 
 impl Field for Lattice {
-    fn map(&self, strength: f64, points: Points<'_>) {
+    fn map(&self, strength: f64, points: PointsMut<'_>) {
         map_each_point(points, |point| {
             let place = [0, 1, 2].map(|k| (point[k] - self.low[k]) / self.size[k]);
             if !place.iter().all(|t| (0.0..=1.0).contains(t)) {

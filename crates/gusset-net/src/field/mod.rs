@@ -14,18 +14,18 @@
 
 mod deform;
 mod lattice;
-mod map;
+mod space_map;
 mod projection;
 mod shaping;
 mod surface_fields;
 mod timed;
 mod wrap;
 
-pub use deform::{Step, deform};
+pub use deform::{DeformationStep, deform};
 pub use lattice::Lattice;
-pub use map::{Field, Points};
 pub use projection::{parallel_projection, perspective_projection, projection};
 pub use shaping::{bend, shear, taper, twist};
+pub use space_map::{Field, PointsMut};
 pub(crate) use surface_fields::snap_groups;
 pub use surface_fields::{RowsMut, deform_rows, displace, snap};
 pub use timed::{Easing, TimedStrength};

@@ -1,6 +1,6 @@
 //! Keyframe animation: the strength of a field as a function of time. O(log keys).
 
-use super::map::check_parameters_finite;
+use super::space_map::check_parameters_finite;
 use gusset_base::error::{Error, Result};
 
 /// The interpolation of strengths between two times.
@@ -41,7 +41,7 @@ impl<'a> TimedStrength<'a> {
     }
 
     /// Returns the strength at a time. At a key's own time it is exactly the key's. O(log keys).
-    pub fn strength(&self, time: f64) -> f64 {
+    pub fn strength_at(&self, time: f64) -> f64 {
         let after = self.keys.partition_point(|key| key[0] <= time);
         let before = self.keys[after.max(1) - 1];
         match self.keys.get(after) {

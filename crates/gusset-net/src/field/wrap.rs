@@ -6,8 +6,8 @@
 //! keep their lengths. [`roll_line_to_arc`] bends a line. Each wrap consists of one or two rolls
 //! and a rigid motion, which preserves lengths.
 
-use super::map::{
-    Field, PartialField, Points, check_parameters_finite, interpolate_to_image, map_each_point, map_each_point_simd,
+use super::space_map::{
+    Field, PartialField, PointsMut, check_parameters_finite, interpolate_to_image, map_each_point, map_each_point_simd,
 };
 use crate::transform::Axis;
 use glam::DVec3;
@@ -24,7 +24,7 @@ pub fn spherify(centre: DVec3, radius: f64) -> Result<impl Field> {
     check_parameters_finite(&centre.to_array().map(|value| ("centre", value)))?;
     check_positive("radius", radius)?;
     let centre = centre.to_array();
-    Ok(PartialField(move |strength: f64, points: Points<'_>| {
+    Ok(PartialField(move |strength: f64, points: PointsMut<'_>| {
         let map = move |point: [f64; 3]| {
             let away = [0, 1, 2].map(|k| point[k] - centre[k]);
             // Scaled first, because squares could overflow or underflow.
@@ -45,7 +45,7 @@ pub fn spherify(centre: DVec3, radius: f64) -> Result<impl Field> {
 /// [`Error::OptionOutOfRange`].
 pub fn cylinder_wrap(axis: Axis, radius: f64) -> Result<impl Field> {
     check_positive("radius", radius)?;
-    Ok(move |strength: f64, points: Points<'_>| {
+    Ok(move |strength: f64, points: PointsMut<'_>| {
         map_each_point(axis.permute_axis_last(points), |[u, v, w]| {
             let [along, out] = roll_line_about_origin(strength, radius, [u, v]);
             [along, out, w]
@@ -67,7 +67,7 @@ pub fn cylinder_wrap(axis: Axis, radius: f64) -> Result<impl Field> {
 pub fn cone_wrap(axis: Axis, radius: f64, angle: f64) -> Result<impl Field> {
     check_positive("radius", radius)?;
     Error::require(angle.abs() <= FRAC_PI_2, "angle", angle)?;
-    Ok(move |strength: f64, points: Points<'_>| {
+    Ok(move |strength: f64, points: PointsMut<'_>| {
         let (sine, cosine) = libm::sincos(strength * angle);
         map_each_point(axis.permute_axis_last(points), |[u, v, w]| {
             let (height, axial) = (v * cosine - w * sine, w * cosine + v * sine);
@@ -94,7 +94,7 @@ pub fn cone_wrap(axis: Axis, radius: f64, angle: f64) -> Result<impl Field> {
 pub fn torus_wrap(axis: Axis, major: f64, minor: f64) -> Result<impl Field> {
     check_positive("major", major)?;
     check_positive("minor", minor)?;
-    Ok(move |strength: f64, points: Points<'_>| {
+    Ok(move |strength: f64, points: PointsMut<'_>| {
         let [tube, ring] = progress_of_two_stages(strength);
         let place = PlacementOnAxis::new(strength, major + minor);
         map_each_point(axis.permute_axis_last(points), |[u, v, w]| {
@@ -128,7 +128,7 @@ pub fn torus_wrap(axis: Axis, major: f64, minor: f64) -> Result<impl Field> {
 /// [`Error::OptionOutOfRange`].
 pub fn sphere_wrap(axis: Axis, radius: f64) -> Result<impl Field> {
     check_positive("radius", radius)?;
-    Ok(move |strength: f64, points: Points<'_>| {
+    Ok(move |strength: f64, points: PointsMut<'_>| {
         let [tube, meridian] = progress_of_two_stages(strength);
         let place = PlacementOnAxis::new(strength, radius);
         map_each_point(axis.permute_axis_last(points), |[u, v, w]| {

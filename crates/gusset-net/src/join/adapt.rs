@@ -49,8 +49,8 @@ pub(super) fn adapt_net(
             replication,
             "nodes of a side",
         )?)?;
-        let (rows, columns) = axis.ordered(side_nodes, across);
-        let replications = axis.ordered(replication, Replication::Last);
+        let (rows, columns) = axis.order_along_first(side_nodes, across);
+        let replications = axis.order_along_first(replication, Replication::Last);
         made = made.reformatted(rows, columns, replications.into(), &job.share(1, 3))?;
     }
     if twist > 0 {
@@ -116,7 +116,7 @@ fn rotate_net(net: &Net<'_>, direction: Direction, twist: u32, job: &Job<'_>) ->
     let (axis, shape) = (direction.transposed(), net.shape());
     let (count, along) = axis.extents_along_and_across(shape);
     let place = twist as usize % (count - 1);
-    let closed = |k: usize| net.topology().contracts(axis.link_across(shape, count - 1, k));
+    let closed = |k: usize| net.topology().is_contracted(axis.link_across(shape, count - 1, k));
     Error::require((0..along).all(closed), "twist", twist.into())?;
     each!(net.coordinates(), planes => check_axis_closed(planes, axis))?;
     let topology = net.topology().map_lines(axis, |topology| rotate_rows(topology, place))?;
@@ -135,7 +135,7 @@ fn rotate_net(net: &Net<'_>, direction: Direction, twist: u32, job: &Job<'_>) ->
 fn check_axis_closed<T: Real>(planes: &XyzMatrices<'_, T>, axis: Direction) -> Result<()> {
     let (count, along) = axis.extents_along_and_across(planes.shape());
     for k in 0..along {
-        let [(p, q), (r, s)] = [axis.ordered(0, k), axis.ordered(count - 1, k)];
+        let [(p, q), (r, s)] = [axis.order_along_first(0, k), axis.order_along_first(count - 1, k)];
         let stride = planes.stride();
         let same =
             |matrix: &[T]| bytemuck::bytes_of(&matrix[p * stride + q]) == bytemuck::bytes_of(&matrix[r * stride + s]);

@@ -79,7 +79,7 @@ fn contract_inner_rows(links: &mut LinkMatrix, [a, b]: [&Topology; 2], rows: Ran
     let (kind, last) = (bridge_kind(a, b, Direction::Down), a.shape().rows() - 1);
     let end = shape.columns() - 1;
     for k in 0..=end {
-        let along = |topology: &Topology, i: usize| topology.contracts(topology.shape().horizontal_link(i, k));
+        let along = |topology: &Topology, i: usize| topology.is_contracted(topology.shape().horizontal_link(i, k));
         let by_kind = kind == BridgeKind::Thread || (kind == BridgeKind::Tube && k == end);
         if by_kind || (along(a, last) && along(b, 0)) {
             rows.clone().for_each(|i| links.set(shape.horizontal_link(i, k), true));
@@ -141,10 +141,10 @@ fn is_side_seamed_to_point(topology: &Topology, direction: Direction, i: usize) 
     let along = direction.extents_along_and_across(shape).1;
     let is_side = |run: SeamRun| {
         let ends = [run.node_place(0), run.node_place(along as u32 - 1)];
-        let [p, q] = ends.map(|(i, j)| direction.ordered(i, j));
+        let [p, q] = ends.map(|(i, j)| direction.order_along_first(i, j));
         p.0 == i as i64 && q.0 == i as i64 && (p.1 - q.1).unsigned_abs() as usize == along - 1
     };
-    let contracts = |pair: [u32; 2]| shape.links_between(pair).any(|link| topology.contracts(link));
+    let contracts = |pair: [u32; 2]| shape.links_between(pair).any(|link| topology.is_contracted(link));
     let is_point = |run: SeamRun| (1..along as u32).all(|k| contracts([run.node(shape, k - 1), run.node(shape, k)]));
     let mut seams = topology.seams().iter().filter(|seam| seam.count as usize == along);
     seams.any(|seam| (is_side(seam.a) && is_point(seam.b)) || (is_side(seam.b) && is_point(seam.a)))
@@ -163,13 +163,13 @@ impl SideClosure {
         let shape = topology.shape();
         let (count, along) = direction.extents_along_and_across(shape);
         let opposite = count - 1 - i;
-        let is_opposite = || (0..along).all(|k| topology.contracts(direction.link_across(shape, count - 1, k)));
+        let is_opposite = || (0..along).all(|k| topology.is_contracted(direction.link_across(shape, count - 1, k)));
         let is_point = topology.is_line_contracted(direction, i)
             || (topology.is_line_contracted(direction, opposite) && is_opposite())
             || is_side_seamed_to_point(topology, direction, i);
         if is_point {
             SideClosure::Point
-        } else if topology.contracts(direction.link_along(shape, i, along - 1)) {
+        } else if topology.is_contracted(direction.link_along(shape, i, along - 1)) {
             SideClosure::Closed
         } else {
             SideClosure::Open

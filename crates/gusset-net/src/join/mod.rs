@@ -111,7 +111,7 @@ fn joined_shape(nets: &[&Net<'_>], options: &JoinOptions, side_nodes: usize) -> 
         .iter()
         .map(|net| options.direction.extents_along_and_across(net.shape()).0)
         .fold(inner, usize::saturating_add);
-    let (rows, columns) = options.direction.ordered(across, side_nodes);
+    let (rows, columns) = options.direction.order_along_first(across, side_nodes);
     Shape::new(rows, columns)
 }
 
@@ -166,7 +166,7 @@ fn check_sides_coincident(a: &Net<'_>, b: &Net<'_>, direction: Direction, tolera
     let (across, along) = direction.extents_along_and_across(a.shape());
     for k in 0..along {
         let node = |net: &Net<'_>, i: usize| {
-            let (i, j) = direction.ordered(i, k);
+            let (i, j) = direction.order_along_first(i, k);
             net.get(i, j)
         };
         check_nodes_coincident(node(a, across - 1), node(b, 0), k as u32, tolerance)?;

@@ -66,7 +66,7 @@ fn cut_at_bridges(net: &Net<'_>, direction: Direction, removed: &[usize], job: &
     let count = direction.extents_along_and_across(net.shape()).0;
     let cuts = removed.iter().map(|&index| &net.bridges()[index]);
     let starts = [0].into_iter().chain(cuts.clone().map(|bridge| bridge.at as usize));
-    let ends = cuts.map(|bridge| bridge.first_side() as usize + 1).chain([count]);
+    let ends = cuts.map(|bridge| bridge.first_side_line() as usize + 1).chain([count]);
     let ranges = alloc::gather(starts.zip(ends).map(|(start, end)| start..end))?;
     let topologies = match direction {
         Direction::Down => net.topology().cut_into_row_ranges(&ranges)?,
@@ -82,7 +82,7 @@ fn cut_at_bridges(net: &Net<'_>, direction: Direction, removed: &[usize], job: &
         if welded || crossed[k] {
             topology.check_crossings()?;
         }
-        let (row, column) = direction.ordered(range.start, 0);
+        let (row, column) = direction.order_along_first(range.start, 0);
         let map = Rearrangement::Part { row, column };
         let mut part = net.rearranged(&map, topology, &job.share(k, ranges.len()))?;
         *part.bridges_mut() = bridges;
@@ -98,7 +98,7 @@ fn find_crossed_ranges(topology: &Topology, direction: Direction, ranges: &[Rang
     let mut crossed = alloc::filled(false, ranges.len())?;
     for seam in topology.seams() {
         let range = |(i, j): (i64, i64)| {
-            let (at, _) = direction.ordered(i, j);
+            let (at, _) = direction.order_along_first(i, j);
             ranges.partition_point(|range| range.end as i64 <= at)
         };
         let ends = [seam.a, seam.b].map(|run| [range(run.node_place(0)), range(run.node_place(seam.count - 1))]);
@@ -125,14 +125,14 @@ fn bridges_of_ranges(
     removed.iter().for_each(|&index| is_removed[index] = true);
     for bridge in net.bridges().iter().zip(is_removed).filter_map(|(bridge, removed)| (!removed).then_some(bridge)) {
         let (low, high) = if bridge.direction == direction {
-            (bridge.first_side() as usize, bridge.at as usize)
+            (bridge.first_side_line() as usize, bridge.at as usize)
         } else {
             (bridge.start as usize, bridge.end as usize - 1)
         };
         let from = ranges.partition_point(|range| range.end <= low);
         for (range, bridges) in ranges[from..].iter().zip(&mut cut[from..]).take_while(|(range, _)| range.start <= high)
         {
-            let (rows, columns) = direction.ordered(range, &all);
+            let (rows, columns) = direction.order_along_first(range, &all);
             if let Some(bridge) = bridge.clipped_to(rows, columns) {
                 alloc::push(bridges, bridge)?;
             }

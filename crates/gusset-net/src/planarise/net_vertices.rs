@@ -2,7 +2,7 @@
 
 use super::planarise_options::PlanariseOptions;
 use crate::complex::Complex;
-use crate::{Classes, Net};
+use crate::{Net, NodeClasses};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -15,7 +15,7 @@ const NODES_PER_REPORT: usize = 1 << 16;
 
 /// The vertices, indexed by the representatives of their classes; other entries are unused.
 pub(crate) struct NetVertices {
-    pub(crate) classes: Classes,
+    pub(crate) classes: NodeClasses,
     /// The position of the class's first existing node, scaled and relative to the origin.
     pub(crate) positions: Vec<DVec3>,
     /// True for vertices that stay.
@@ -32,7 +32,7 @@ pub(crate) struct NetVertices {
 impl NetVertices {
     pub(crate) fn new(net: &Net<'_>, options: &PlanariseOptions<'_>, job: &Job<'_>) -> Result<Self> {
         let nodes = 0..net.shape().node_count() as u32;
-        let classes = Classes::new_cancellable(net.topology(), &job.part(0.0, 0.3), "planarise")?;
+        let classes = NodeClasses::new_cancellable(net.topology(), &job.part(0.0, 0.3), "planarise")?;
         let mut fixed = alloc::filled(false, nodes.len())?;
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         for node in nodes {

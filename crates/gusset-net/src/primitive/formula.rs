@@ -30,7 +30,7 @@ pub(super) fn square_to_sphere([u, v]: [f64; 2]) -> [f64; 3] {
 
 /// Returns the point of node (i, j) on a box.
 pub(super) fn point_on_box(cuboid: &Cuboid, size: [f64; 3], i: usize, j: usize) -> [f64; 3] {
-    let place = cuboid.place(i, j);
+    let place = cuboid.lattice_point(i, j);
     [0, 1, 2].map(|x| f64::from(place[x]) * size[x] / f64::from(cuboid.cells[x]) - size[x] / 2.0)
 }
 

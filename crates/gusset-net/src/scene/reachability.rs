@@ -47,12 +47,12 @@ impl VisitMarks {
         let mut below = DepthFirstSearch::new(from, [down, up])?;
         let mut above = DepthFirstSearch::new(to, [up, down])?;
         loop {
-            let Some((at, k)) = below.next() else { return Ok(false) };
+            let Some((at, k)) = below.next_neighbour() else { return Ok(false) };
             let next = child(at, k);
             if next == Some(to) || below.descend_or_backtrack(next, self)? {
                 return Ok(true);
             }
-            let Some((at, k)) = above.next() else { return Ok(false) };
+            let Some((at, k)) = above.next_neighbour() else { return Ok(false) };
             let next = parent(at, k);
             if next == Some(from) || above.descend_or_backtrack(next, self)? {
                 return Ok(true);
@@ -75,7 +75,7 @@ impl DepthFirstSearch {
     }
 
     /// Returns the entry and the number of its neighbour to examine.
-    fn next(&mut self) -> Option<(u32, usize)> {
+    fn next_neighbour(&mut self) -> Option<(u32, usize)> {
         let (at, next) = self.path.last_mut()?;
         *next += 1;
         Some((*at, *next - 1))

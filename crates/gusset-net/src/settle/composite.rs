@@ -154,7 +154,7 @@ pub(super) fn build_composite<'a>(
     for (k, &index) in parts.bridges.iter().enumerate() {
         builder.add_bridge(k, index, &job.share(k, parts.bridges.len()))?;
     }
-    builder.finish()
+    builder.finish_model()
 }
 
 impl CompositeBuilder<'_> {
@@ -215,7 +215,7 @@ impl CompositeBuilder<'_> {
     /// Assigns the vertices of a rigid bridge to the body on both its sides.
     fn add_rigid_bridge(&mut self, place: usize, bridge: &Bridge) {
         let body = FIRST_BODY_SLOT + self.parts.bodies[place];
-        for i in bridge.first_side() + 1..bridge.at {
+        for i in bridge.first_side_line() + 1..bridge.at {
             for k in 0..bridge.end {
                 let v = self.vertex_at(i as usize, k as usize) as usize;
                 let slot = &mut self.composite.model.slots[v];
@@ -235,7 +235,7 @@ impl CompositeBuilder<'_> {
         if bridge.rows == 0 {
             return Ok(());
         }
-        let first = bridge.first_side() as usize + 1;
+        let first = bridge.first_side_line() as usize + 1;
         let size = [bridge.rows as usize, bridge.end as usize];
         visit_in_elimination_order(size, bridge.kind != BridgeKind::Ribbon, &mut |i, k| {
             let v = self.vertex_at(first + i, k);
@@ -250,7 +250,7 @@ impl CompositeBuilder<'_> {
 
     /// Returns the vertices of a line from side to side.
     fn line_vertices(&self, bridge: &Bridge, k: usize) -> Result<Vec<u32>> {
-        alloc::collect((bridge.first_side() as usize..bridge.at as usize + 1).map(|i| self.vertex_at(i, k)))
+        alloc::collect((bridge.first_side_line() as usize..bridge.at as usize + 1).map(|i| self.vertex_at(i, k)))
     }
 
     fn add_line(
@@ -261,10 +261,10 @@ impl CompositeBuilder<'_> {
         centres: [Option<DVec3>; 2],
     ) -> Result<()> {
         let at = |i: u32| {
-            let (i, j) = self.parts.direction.ordered(i as usize, k);
+            let (i, j) = self.parts.direction.order_along_first(i as usize, k);
             self.reference.get(i, j) / self.surface.unit
         };
-        let links = bridge.first_side()..bridge.at;
+        let links = bridge.first_side_line()..bridge.at;
         let rests = links.map(|i| self.rest_ratio * at(i).distance(at(i + 1)));
         let mut rests: Vec<f64> = alloc::collect(rests)?;
         let known = rests.iter().filter(|rest| rest.is_finite());
@@ -328,7 +328,7 @@ impl CompositeBuilder<'_> {
 
     fn add_film(&mut self, bridge: &Bridge, tension: f64) -> Result<()> {
         let first = self.composite.model.quads.len();
-        for i in bridge.first_side() as usize..bridge.at as usize {
+        for i in bridge.first_side_line() as usize..bridge.at as usize {
             for k in 0..bridge.end as usize - 1 {
                 let corners = [(i, k), (i, k + 1), (i + 1, k + 1), (i + 1, k)].map(|(i, k)| self.vertex_at(i, k));
                 if corners.iter().all(|&p| self.surface.positions[p as usize].is_finite()) {
@@ -360,7 +360,7 @@ impl CompositeBuilder<'_> {
     }
 
     /// Gives moving bodies their unknowns.
-    fn finish(mut self) -> Result<CompositeModel> {
+    fn finish_model(mut self) -> Result<CompositeModel> {
         let count = self.parts.ranges.len();
         let (parts, model) = (self.parts, &mut self.composite.model);
         model.translations = alloc::filled(NO_BODY, count)?;
@@ -396,7 +396,7 @@ impl CompositeBuilder<'_> {
         let leads = |part: &usize| own(part) && (parts.held_parts[*part] || !has_held);
         let along = parts.direction.extents_along_and_across(net.shape()).1;
         let scaled = |net: &Net<'_>, (i, k): (usize, usize)| {
-            let (i, j) = parts.direction.ordered(i, k);
+            let (i, j) = parts.direction.order_along_first(i, k);
             surface.scale_position(net.get(i, j))
         };
         let nodes = |part: usize| parts.ranges[part].clone().flat_map(move |i| (0..along).map(move |k| (i, k)));
@@ -419,7 +419,7 @@ impl CompositeBuilder<'_> {
             }
             if let Some(&index) = parts.bridges.get(part).filter(|&&index| is_rigid(&net.bridges()[index])) {
                 let bridge = &net.bridges()[index];
-                let inner = bridge.first_side() as usize + 1..bridge.at as usize;
+                let inner = bridge.first_side_line() as usize + 1..bridge.at as usize;
                 inner.for_each(|i| (0..along).for_each(|k| place_node(i, k)));
             }
         }
@@ -428,6 +428,6 @@ impl CompositeBuilder<'_> {
 
 impl CompositeModel {
     pub(super) fn film_area(&self, quads: &Range<usize>) -> f64 {
-        self.model.quads[quads.clone()].iter().map(|quad| quad.area(&self.points)).sum()
+        self.model.quads[quads.clone()].iter().map(|quad| quad.quad_area(&self.points)).sum()
     }
 }

@@ -37,7 +37,7 @@ pub(super) fn descend_to_equilibrium(
         return Ok(descent);
     }
     let model = &composite.model;
-    let mut energy = model.energies(&composite.points).sum();
+    let mut energy = model.energies(&composite.points).total_energy();
     let are_held = model.translations.iter().all(|&unknown| unknown == NO_BODY);
     let mut anderson = AndersonAcceleration::default();
     let at = |k: u32| 1.0 - 0.9f64.powi(k as i32);
@@ -54,7 +54,7 @@ pub(super) fn descend_to_equilibrium(
         };
         let mut turned = (alloc::copied(&next.0)?, alloc::copied(&next.1)?);
         rotate_bodies(model, &terms, &mut turned.0, &mut turned.1);
-        let after = model.energies(&turned.0).sum();
+        let after = model.energies(&turned.0).total_energy();
         if after <= next.2 {
             next = (turned.0, turned.1, after);
         }
@@ -67,7 +67,7 @@ pub(super) fn descend_to_equilibrium(
             let unknowns = current_unknowns(composite)?;
             if let Some(step) = anderson.accelerate_step(&unknowns, &step)? {
                 let (x, motions) = model.displace_points(x, motions, &step, 1.0)?;
-                let after = model.energies(&x).sum();
+                let after = model.energies(&x).total_energy();
                 if after < next.2 {
                     next = (x, motions, after);
                 }
@@ -99,8 +99,8 @@ fn is_gain_within_rounding(
         let (lines, quads) = (&composite.model.lines[share.lines.clone()], &composite.model.quads[share.quads.clone()]);
         let mut sum = BridgeEnergies::default();
         lines.iter().for_each(|line| line.add_energies(&composite.points, &mut sum));
-        let films: f64 = quads.iter().map(|quad| quad.energy(&composite.points)).sum();
-        sum.sum() + films + lines.iter().map(BridgeLine::spring_energy_scale).sum::<f64>()
+        let films: f64 = quads.iter().map(|quad| quad.film_energy(&composite.points)).sum();
+        sum.total_energy() + films + lines.iter().map(BridgeLine::spring_energy_scale).sum::<f64>()
     };
     is_within(gain(0..step.len()), energy)
         && composite.shares.iter().all(|share| is_within(gain(share.unknowns.clone()), energy_of(share)))
@@ -131,7 +131,7 @@ fn halve_until_lower(
     for _ in 0..MAX_STEP_HALVINGS {
         job.part(1.0, 1.0).step(0.0, "settle")?;
         let (x, motions) = composite.model.displace_points(&composite.points, &composite.motions, step, part)?;
-        let after = composite.model.energies(&x).sum();
+        let after = composite.model.energies(&x).total_energy();
         if after <= energy * (1.0 + RELATIVE_ENERGY_ROUNDING) {
             return Ok(Some((x, motions, after)));
         }

@@ -27,7 +27,7 @@ pub(super) struct BridgeEnergies {
 }
 
 impl BridgeEnergies {
-    pub(super) fn sum(&self) -> f64 {
+    pub(super) fn total_energy(&self) -> f64 {
         self.tension + self.elastic + self.bending
     }
 }
@@ -61,7 +61,7 @@ impl BridgeLine {
 
     /// Returns the square root of the number of links times the sum of their squares: the length of
     /// the line once its nodes are evenly spaced, as in equilibrium.
-    fn length(&self, x: &[DVec3]) -> f64 {
+    fn line_length(&self, x: &[DVec3]) -> f64 {
         (self.rests.len() as f64 * self.edge_vectors(x).map(DVec3::length_squared).sum::<f64>()).sqrt()
     }
 
@@ -91,7 +91,7 @@ impl BridgeLine {
 
     pub(super) fn add_energies(&self, x: &[DVec3], sum: &mut BridgeEnergies) {
         if self.law.tension > 0.0 {
-            sum.tension += self.law.tension * self.length(x);
+            sum.tension += self.law.tension * self.line_length(x);
         }
         for (e, rest) in self.edge_vectors(x).zip(self.spring_rest_lengths()) {
             if let Some(rest) = rest {
@@ -110,7 +110,7 @@ impl BridgeLine {
     pub(super) fn push_terms(&self, x: &[DVec3], terms: &mut Vec<QuadraticTerm>) -> Result<()> {
         let links = self.rests.len() as f64;
         let tension = if self.law.tension > 0.0 {
-            self.law.tension * links / self.length(x).max(MIN_RELATIVE_LENGTH)
+            self.law.tension * links / self.line_length(x).max(MIN_RELATIVE_LENGTH)
         } else {
             0.0
         };
@@ -152,14 +152,14 @@ impl FilmQuad {
     }
 
     /// Returns the mean area of both triangulations.
-    pub(super) fn area(&self, x: &[DVec3]) -> f64 {
+    pub(super) fn quad_area(&self, x: &[DVec3]) -> f64 {
         let double =
             |[a, b, c]: [u32; 3]| (x[b as usize] - x[a as usize]).cross(x[c as usize] - x[a as usize]).length();
         self.triangles().map(double).sum::<f64>() / 4.0
     }
 
-    pub(super) fn energy(&self, x: &[DVec3]) -> f64 {
-        self.tension * self.area(x)
+    pub(super) fn film_energy(&self, x: &[DVec3]) -> f64 {
+        self.tension * self.quad_area(x)
     }
 
     pub(super) fn push_terms(&self, x: &[DVec3], terms: &mut Vec<QuadraticTerm>) -> Result<()> {

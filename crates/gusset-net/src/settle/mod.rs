@@ -118,7 +118,7 @@ pub fn settle(net: &mut Net<'_>, options: &SettleOptions<'_>, job: &Job<'_>) -> 
     let tolerance = if tolerance == 0.0 { DEFAULT_TOLERANCE } else { tolerance } * surface.size;
     let max = if options.max_iterations == 0 { DEFAULT_ITERATIONS } else { options.max_iterations };
     let [energy_unit, force_unit] = composite.energy_unit;
-    let energy_before = composite.model.energies(&composite.points).sum();
+    let energy_before = composite.model.energies(&composite.points).total_energy();
     let done = descend_to_equilibrium(&mut composite, tolerance, max, &job.part(0.2, 0.95))?;
     let after = composite.model.energies(&composite.points);
     let collapsed = composite.count_collapsed_films();
@@ -149,7 +149,7 @@ impl CompositeModel {
         let has_collapsed = |(quads, area): &&(std::ops::Range<usize>, f64)| {
             let least = MIN_RELATIVE_CELL_AREA * area / quads.len().max(1) as f64;
             let mut cells = self.model.quads[quads.clone()].iter();
-            cells.any(|quad| quad.area(&self.start) >= least && quad.area(&self.points) < least)
+            cells.any(|quad| quad.quad_area(&self.start) >= least && quad.quad_area(&self.points) < least)
         };
         self.films.iter().filter(has_collapsed).count() as u32
     }

@@ -1,7 +1,7 @@
 //! The parts between whole bridges, and the rigid bodies that they make. O(nodes).
 
 use super::SettleOptions;
-use crate::{Bridge, BridgeMode, BridgeProperties, Classes, Direction, Net};
+use crate::{Bridge, BridgeMode, BridgeProperties, Direction, Net, NodeClasses};
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
 use gusset_base::geom::disjoint_sets::DisjointSets;
@@ -69,11 +69,11 @@ impl CompositeParts {
             check_properties(index, all[index].properties)?;
             let (at, rows) = (all[index].at, all[index].rows);
             let is_inside = rows < at && (at as usize) < direction.extents_along_and_across(net.shape()).0;
-            if !is_inside || (all[index].first_side() as usize) < start {
+            if !is_inside || (all[index].first_side_line() as usize) < start {
                 // The bridge does not belong to this net, or lies within another.
                 return Err(Error::NoSuch { element: Element::Bridge, index: index as u64 });
             }
-            ranges.push(start..all[index].first_side() as usize + 1);
+            ranges.push(start..all[index].first_side_line() as usize + 1);
             start = all[index].at as usize;
         }
         ranges.push(start..direction.extents_along_and_across(net.shape()).0);
@@ -88,14 +88,19 @@ impl CompositeParts {
     }
 
     /// Returns the class of the node at place `k` of row or column `i`.
-    pub(super) fn vertex_at(&self, classes: &Classes, i: usize, k: usize) -> u32 {
-        let (i, j) = self.direction.ordered(i, k);
+    pub(super) fn vertex_at(&self, classes: &NodeClasses, i: usize, k: usize) -> u32 {
+        let (i, j) = self.direction.order_along_first(i, k);
         classes.representative(classes.shape().node(i, j))
     }
 
     /// Unites parts that are glued or joined by rigid bridges into bodies. Returns for each class
     /// of nodes its body above [`FIRST_BODY_SLOT`], or [`NO_BODY`] if only bridges contain it.
-    pub(super) fn unite_into_bodies(&mut self, net: &Net<'_>, classes: &Classes, job: &Job<'_>) -> Result<Vec<u32>> {
+    pub(super) fn unite_into_bodies(
+        &mut self,
+        net: &Net<'_>,
+        classes: &NodeClasses,
+        job: &Job<'_>,
+    ) -> Result<Vec<u32>> {
         let shape = net.shape();
         let along = self.direction.extents_along_and_across(shape).1;
         let mut slots = alloc::filled(NO_BODY, shape.node_count())?;

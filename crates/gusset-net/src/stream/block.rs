@@ -7,7 +7,7 @@ use super::levels::{CoordinateBits, LevelMap};
 use super::predictor::{Predictor, normalised_place};
 use super::predictor_fit::{COORDINATE_ORDERS, NodeSample};
 use super::row_coder::{NodeRow, NodeState, RowCoder};
-use crate::{Classes, Shape, Topology, XyzMatrices};
+use crate::{NodeClasses, Shape, Topology, XyzMatrices};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use std::ops::Range;
@@ -26,7 +26,7 @@ pub(super) struct DuplicateNodes {
 }
 
 impl DuplicateNodes {
-    pub(super) fn none(shape: Shape) -> Self {
+    pub(super) fn without_duplicates(shape: Shape) -> Self {
         DuplicateNodes { shape, pairs: Vec::new() }
     }
 
@@ -35,9 +35,9 @@ impl DuplicateNodes {
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
     pub(super) fn from_topology(topology: &Topology) -> Result<Self> {
-        let mut duplicates = DuplicateNodes::none(topology.shape());
+        let mut duplicates = DuplicateNodes::without_duplicates(topology.shape());
         let pairs = &mut duplicates.pairs;
-        Classes::new(topology)?.for_each_glued_node(|node, first| alloc::push(pairs, [node, first]))?;
+        NodeClasses::new(topology)?.for_each_glued_node(|node, first| alloc::push(pairs, [node, first]))?;
         Ok(duplicates)
     }
 

@@ -60,8 +60,11 @@ impl StreamPrelude {
         let limit = end.saturating_mul(MAX_NODES_PER_BYTE);
         let from = ByteReader::new(structure, HEADER_SIZE as u64);
         let (topology, bridges) = stream_structure::read_structure(info.shape, limit, from)?;
-        let duplicates =
-            if info.folded { DuplicateNodes::from_topology(&topology)? } else { DuplicateNodes::none(info.shape) };
+        let duplicates = if info.folded {
+            DuplicateNodes::from_topology(&topology)?
+        } else {
+            DuplicateNodes::without_duplicates(info.shape)
+        };
         Ok(StreamPrelude { info, topology, bridges, duplicates, entries })
     }
 
@@ -150,7 +153,7 @@ fn decode_blocks<T: CoordinateBits>(
     job: &Job<'_>,
 ) -> Result<()> {
     let info = &prelude.info;
-    let at_once = 2 * par::at_most(info.block_count(), job.threads());
+    let at_once = 2 * par::resolve_thread_count(info.block_count(), job.threads());
     let (block, mut start) = (info.rows_per_block * info.shape.columns(), 0);
     for matrices in zip3(planes.matrices_mut().map(|matrix| matrix.chunks_mut(at_once * block))) {
         job.step(start as f64 / info.block_count() as f64, "decoding")?;

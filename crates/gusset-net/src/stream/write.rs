@@ -45,7 +45,7 @@ impl StreamOptions {
 /// Encodes a net as a stream; see the module.
 ///
 /// O(nodes); blocks are coded in parallel. Extra memory: the stream, and the memory of
-/// [`Classes`](crate::Classes).
+/// [`NodeClasses`](crate::NodeClasses).
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] (bits; coordinates above a quarter of the largest number, if
@@ -83,7 +83,7 @@ fn encode_coordinates<T: CoordinateBits>(
         }
         _ => {
             info.folded = all.are_exact(planes);
-            let none = DuplicateNodes::none(shape);
+            let none = DuplicateNodes::without_duplicates(shape);
             let duplicates = if info.folded { &all } else { &none };
             let levels = LosslessLevels { missing: first_missing_node(planes) };
             info.missing = levels.missing.map(|number| number.to_level() as u64);

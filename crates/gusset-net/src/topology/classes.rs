@@ -14,7 +14,7 @@ use gusset_base::job::Job;
 
 /// The classes of glued nodes. The representative of a class is its smallest node.
 #[derive(Debug, Clone)]
-pub struct Classes {
+pub struct NodeClasses {
     shape: Shape,
     map: ClassMap,
 }
@@ -27,7 +27,7 @@ enum ClassMap {
     Table(Vec<u32>),
 }
 
-impl Classes {
+impl NodeClasses {
     /// Returns the classes of a topology. O(1) if its sides describe it; otherwise O(nodes +
     /// contracted links), and 4 bytes a node.
     ///
@@ -37,14 +37,14 @@ impl Classes {
         Self::new_cancellable(topology, &Job::default(), "")
     }
 
-    /// [`Classes::new`] for large nets.
+    /// [`NodeClasses::new`] for large nets.
     ///
     /// # Errors
     /// Also [`Error::Cancelled`](gusset_base::Error::Cancelled).
     pub fn new_cancellable(topology: &Topology, job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let shape = topology.shape();
         if let (ContractedLinks::Sides(sides), []) = (&topology.links, topology.seams()) {
-            return Ok(Classes { shape, map: ClassMap::Sides(SideClasses::new(shape, *sides)) });
+            return Ok(NodeClasses { shape, map: ClassMap::Sides(SideClasses::new(shape, *sides)) });
         }
         let nodes = (0..shape.node_count()).map(|node| node as u32);
         let mut sets = DisjointSets::from_parents(alloc::collect_cancellable(nodes, &job.part(0.0, 0.3), stage)?);
@@ -57,7 +57,7 @@ impl Classes {
         for seam in Seam::cancellable_iter(topology.seams(), &job.part(0.7, 0.8), stage) {
             seam?.pairs(shape).for_each(|pair| unite_ends(&mut sets, pair));
         }
-        Ok(Classes { shape, map: ClassMap::Table(sets.into_roots(&job.part(0.8, 1.0), stage)?) })
+        Ok(NodeClasses { shape, map: ClassMap::Table(sets.into_roots(&job.part(0.8, 1.0), stage)?) })
     }
 
     /// Returns the size of the net.
@@ -88,7 +88,7 @@ impl Classes {
     }
 
     /// Returns true if the two ends of the link belong to one class.
-    pub fn contracts(&self, link: u32) -> bool {
+    pub fn has_identified_ends(&self, link: u32) -> bool {
         let [a, b] = self.shape.ends(link);
         self.representative(a) == self.representative(b)
     }
@@ -101,7 +101,7 @@ impl Classes {
         self.representatives_cancellable(&Job::default(), "")
     }
 
-    /// [`Classes::representatives`] for large nets.
+    /// [`NodeClasses::representatives`] for large nets.
     ///
     /// # Errors
     /// Also [`Error::Cancelled`](gusset_base::Error::Cancelled).
@@ -144,11 +144,11 @@ impl Classes {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
-    pub fn groups(&self) -> Result<Groups> {
+    pub fn groups(&self) -> Result<NodeGroups> {
         let mut glued = Vec::new();
         self.for_each_glued_node(|node, representative| alloc::push(&mut glued, (representative, node)))?;
         glued.sort_unstable();
-        let mut groups = Groups { offsets: alloc::filled(0, 1)?, nodes: alloc::with_capacity(2 * glued.len())? };
+        let mut groups = NodeGroups { offsets: alloc::filled(0, 1)?, nodes: alloc::with_capacity(2 * glued.len())? };
         for class in glued.chunk_by(|a, b| a.0 == b.0) {
             groups.nodes.push(class[0].0);
             groups.nodes.extend(class.iter().map(|&(_, node)| node));
@@ -160,12 +160,12 @@ impl Classes {
 
 /// The classes of at least two nodes.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Groups {
+pub struct NodeGroups {
     offsets: Vec<u32>,
     nodes: Vec<u32>,
 }
 
-impl Groups {
+impl NodeGroups {
     /// Returns the number of classes.
     pub fn len(&self) -> usize {
         self.offsets.len() - 1

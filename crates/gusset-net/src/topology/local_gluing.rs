@@ -7,7 +7,7 @@
 //! crosses itself and is impossible on a surface. Classification is a table look-up by a mask of
 //! four bits.
 
-use super::{Classes, LinkMatrix, Topology};
+use super::{LinkMatrix, NodeClasses, Topology};
 use crate::Shape;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -83,16 +83,16 @@ pub(super) fn cell_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
 
 /// Returns the type of the star of node (i, j) by its contracted links. If `cyclic`, closing links
 /// to the first row and column count too. Returns `None` if no link is contracted.
-pub fn classify_node(classes: &Classes, i: usize, j: usize, cyclic: bool) -> Option<GluingType> {
+pub fn classify_node(classes: &NodeClasses, i: usize, j: usize, cyclic: bool) -> Option<GluingType> {
     let shape = classes.shape();
     let there = [j + 1 < shape.columns(), i + 1 < shape.rows(), j > 0, i > 0];
     let links = star_links(shape, i, j);
-    let set = (0..4).filter(|&k| (cyclic || there[k]) && classes.contracts(links[k]));
+    let set = (0..4).filter(|&k| (cyclic || there[k]) && classes.has_identified_ends(links[k]));
     GluingType::from_table_entry(STAR_TYPE_BY_MASK[set.fold(0, |mask, k| mask | 1 << k)])
 }
 
 /// Returns the type of the cell at (i, j); `None` if it is a quad.
-pub fn classify_cell(classes: &Classes, i: usize, j: usize) -> Option<GluingType> {
+pub fn classify_cell(classes: &NodeClasses, i: usize, j: usize) -> Option<GluingType> {
     let [a, b, c, d] = classes.corners(i, j);
     let mask = usize::from(a == b) | usize::from(b == c) << 1 | usize::from(c == d) << 2 | usize::from(d == a) << 3;
     let number = match mask {
@@ -105,7 +105,7 @@ pub fn classify_cell(classes: &Classes, i: usize, j: usize) -> Option<GluingType
 
 impl Topology {
     /// [`classify_node`] of one node. O(1) for sides alone, else O(nodes): for more nodes keep the
-    /// [`Classes`].
+    /// [`NodeClasses`].
     ///
     /// # Errors
     /// [`Error::NoSuch`](gusset_base::Error::NoSuch),
@@ -113,18 +113,18 @@ impl Topology {
     pub fn node_type(&self, node: u32, cyclic: bool, job: &Job<'_>) -> Result<Option<GluingType>> {
         self.shape().check_node(node)?;
         let (i, j) = self.shape().place(node);
-        Ok(classify_node(&Classes::new_cancellable(self, job, STAGE)?, i, j, cyclic))
+        Ok(classify_node(&NodeClasses::new_cancellable(self, job, STAGE)?, i, j, cyclic))
     }
 
     /// [`classify_cell`] of one cell. O(1) for sides alone, else O(nodes): for more cells keep the
-    /// [`Classes`].
+    /// [`NodeClasses`].
     ///
     /// # Errors
     /// [`Error::NoSuch`](gusset_base::Error::NoSuch),
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
     pub fn cell_type(&self, cell: u32, job: &Job<'_>) -> Result<Option<GluingType>> {
         let (i, j) = self.shape().checked_cell_place(cell)?;
-        Ok(classify_cell(&Classes::new_cancellable(self, job, STAGE)?, i, j))
+        Ok(classify_cell(&NodeClasses::new_cancellable(self, job, STAGE)?, i, j))
     }
 }
 
@@ -147,10 +147,10 @@ pub struct GluingHistogram {
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
-pub fn histogram(topology: &Topology, job: &Job<'_>) -> Result<GluingHistogram> {
+pub fn gluing_histogram(topology: &Topology, job: &Job<'_>) -> Result<GluingHistogram> {
     let shape = topology.shape();
     let (h, w) = (shape.rows(), shape.columns());
-    let classes = Classes::new_cancellable(topology, &job.part(0.0, 0.4), STAGE)?;
+    let classes = NodeClasses::new_cancellable(topology, &job.part(0.0, 0.4), STAGE)?;
     let table = classes.representatives_cancellable(&job.part(0.4, 0.5), STAGE)?;
     let (links, job) = (LinkMatrix::from_representatives(shape, &table)?, job.part(0.5, 1.0));
     let mut histogram = GluingHistogram::default();

@@ -4,8 +4,8 @@
 //! - [`Sides`]: closures that need no matrix. [`LinkMatrix`]: the paper's characteristic matrix.
 //!   [`Seam`]: gluings that neither can express.
 //! - [`Topology`]: links and seams in a normal form.
-//! - [`Classes`]: the classes of glued nodes. [`ReducedCell`]: the polygon to which a cell reduces.
-//!   [`GluingType`]: the 18 local gluings; [`occurrences()`] lists a net's. [`Gluing`]: explicit
+//! - [`NodeClasses`]: the classes of glued nodes. [`ReducedCell`]: the polygon to which a cell reduces.
+//!   [`GluingType`]: the 18 local gluings; [`find_gluing_occurrences()`] lists a net's. [`Gluing`]: explicit
 //!   editing.
 //!
 //! Invariant: links and seams name pairs of nodes, and the partition into classes is their
@@ -24,12 +24,12 @@ mod sides;
 mod structure;
 
 pub use cell::ReducedCell;
-pub use classes::{Classes, Groups};
+pub use classes::{NodeClasses, NodeGroups};
 pub use gluing::{CellDiagonal, Gluing};
 pub use link_matrix::LinkMatrix;
 pub(crate) use local_gluing::star_links;
-pub use local_gluing::{GluingHistogram, GluingType, classify_cell, classify_node, histogram};
-pub use occurrences::{GluingOccurrence, GluingSignature, occurrences};
+pub use local_gluing::{GluingHistogram, GluingType, classify_cell, classify_node, gluing_histogram};
+pub use occurrences::{GluingOccurrence, GluingSignature, find_gluing_occurrences};
 pub use seam::{Seam, SeamRun};
 pub use sides::Sides;
 pub use structure::{ContractedLinks, Topology};

@@ -3,7 +3,7 @@
 //! In normal form, links that sides can express are sides, and seams that links can express are
 //! links. Seams are sorted, each in its smallest spelling, and no cell is crossed. O(nodes).
 
-use super::{Classes, ContractedLinks, LinkMatrix, Seam, Topology, canonical_seams};
+use super::{ContractedLinks, LinkMatrix, NodeClasses, Seam, Topology, canonical_seams};
 use crate::Shape;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -78,22 +78,22 @@ impl Topology {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
-    pub fn saturated(&self) -> Result<Self> {
-        self.saturated_cancellable(&Job::default(), "")
+    pub fn canonical_form(&self) -> Result<Self> {
+        self.canonical_form_cancellable(&Job::default(), "")
     }
 
-    /// [`Topology::saturated`] for large nets.
+    /// [`Topology::canonical_form`] for large nets.
     ///
     /// # Errors
     /// Also [`Error::Cancelled`].
-    pub fn saturated_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<Self> {
-        let classes = Classes::new_cancellable(self, &job.part(0.0, 0.3), stage)?;
+    pub fn canonical_form_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<Self> {
+        let classes = NodeClasses::new_cancellable(self, &job.part(0.0, 0.3), stage)?;
         let table = classes.representatives_cancellable(&job.part(0.3, 0.5), stage)?;
         let matrix = LinkMatrix::from_representatives(self.shape, &table)?;
         let links = ContractedLinks::Matrix(matrix).normalised(self.shape);
         let mut saturated = Topology { shape: self.shape, links, seams: Vec::new(), reversed: self.reversed };
         if !self.seams.is_empty() {
-            let pieces = Classes::new_cancellable(&saturated, &job.part(0.5, 0.8), stage)?;
+            let pieces = NodeClasses::new_cancellable(&saturated, &job.part(0.5, 0.8), stage)?;
             let pieces = pieces.representatives_cancellable(&job.part(0.8, 1.0), stage)?;
             saturated.seams = canonical_seams::find_seams(self.shape, &table, &pieces)?;
         }
@@ -110,7 +110,7 @@ impl Topology {
         if matches!(self.links, ContractedLinks::Sides(_)) && self.seams.is_empty() {
             return Ok(());
         }
-        let classes = Classes::new_cancellable(self, &job.part(0.0, 0.8), stage)?;
+        let classes = NodeClasses::new_cancellable(self, &job.part(0.0, 0.8), stage)?;
         let (table, w) = (classes.representatives_cancellable(&job.part(0.8, 1.0), stage)?, self.shape.columns());
         for (i, rows) in table.chunks_exact(w).zip(table[w..].chunks_exact(w)).enumerate() {
             let crosses = |j: usize| {

@@ -1,7 +1,7 @@
 //! The local gluings of a net as data: where each is, its type in the paper's letters, and its
 //! orders (Deryagin, Fig. 4). O(nodes).
 
-use super::{Classes, GluingType, Topology, classify_cell, classify_node};
+use super::{GluingType, NodeClasses, Topology, classify_cell, classify_node};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -77,8 +77,8 @@ pub struct GluingOccurrence {
 /// # Errors
 /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory),
 /// [`Error::Cancelled`](gusset_base::Error::Cancelled).
-pub fn occurrences(topology: &Topology, cyclic: bool, job: &Job<'_>) -> Result<Vec<GluingOccurrence>> {
-    let (shape, classes) = (topology.shape(), Classes::new_cancellable(topology, &job.part(0.0, 0.2), "gluings")?);
+pub fn find_gluing_occurrences(topology: &Topology, cyclic: bool, job: &Job<'_>) -> Result<Vec<GluingOccurrence>> {
+    let (shape, classes) = (topology.shape(), NodeClasses::new_cancellable(topology, &job.part(0.0, 0.2), "gluings")?);
     let job = job.part(0.2, 1.0);
     let (h, w) = (shape.rows(), shape.columns());
     let mut sizes = alloc::filled(0u32, shape.node_count())?;

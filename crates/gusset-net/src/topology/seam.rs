@@ -121,12 +121,12 @@ impl Seam {
         if count == 1 {
             (a.row_step, a.column_step, b.row_step, b.column_step) = (0, 0, 0, 0);
         }
-        let spellings = Seam { a, b, count }.spellings();
+        let spellings = Seam { a, b, count }.equivalent_spellings();
         spellings.into_iter().min().unwrap_or(self)
     }
 
     /// Returns the four spellings: unchanged, with the runs exchanged, and both in reverse.
-    pub(crate) fn spellings(self) -> [Self; 4] {
+    pub(crate) fn equivalent_spellings(self) -> [Self; 4] {
         let reversed = self.reversed();
         [self, self.with_runs_exchanged(), reversed, reversed.with_runs_exchanged()]
     }

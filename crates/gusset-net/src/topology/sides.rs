@@ -4,7 +4,7 @@
 use crate::Shape;
 
 /// The closure of each of the four sides of a net: each flag contracts a set of links, see
-/// [`Sides::contracts`].
+/// [`Sides::is_contracted`].
 ///
 /// The paper's closures (Fig. 5) are among the combinations, and so are partly closed nets, such as
 /// a cone with an open base.
@@ -46,7 +46,7 @@ impl Sides {
     pub const TORUS: Sides = Sides { columns_closed: true, ..Sides::TUBE };
 
     /// Returns true if the link is contracted.
-    pub fn contracts(self, shape: Shape, link: u32) -> bool {
+    pub fn is_contracted(self, shape: Shape, link: u32) -> bool {
         let (i, j) = shape.place(link / 2);
         let (last_row, last_column) = (i + 1 == shape.rows(), j + 1 == shape.columns());
         match (link & 1 == 0, last_column, last_row) {

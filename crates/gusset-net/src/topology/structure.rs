@@ -41,7 +41,7 @@ impl ContractedLinks {
 /// are links, seams are sorted, and no cell is crossed (see
 /// [`ReducedCell::Crossing`](super::ReducedCell)). Two topologies are equal if they contract the
 /// same links by name, list the same seams and have the same face orientation. Different links and
-/// seams may glue the same nodes; compare [`Topology::saturated`] to detect that.
+/// seams may glue the same nodes; compare [`Topology::canonical_form`] to detect that.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Topology {
     pub(super) shape: Shape,
@@ -127,11 +127,11 @@ impl Topology {
     }
 
     /// Returns true if the link is contracted by name.
-    /// [`Classes::contracts`](super::Classes::contracts) tells whether its ends belong to one class
-    /// for any reason.
-    pub fn contracts(&self, link: u32) -> bool {
+    /// [`NodeClasses::has_identified_ends`](super::NodeClasses::has_identified_ends) tells whether
+    /// its ends belong to one class for any reason.
+    pub fn is_contracted(&self, link: u32) -> bool {
         match &self.links {
-            ContractedLinks::Sides(sides) => sides.contracts(self.shape, link),
+            ContractedLinks::Sides(sides) => sides.is_contracted(self.shape, link),
             ContractedLinks::Matrix(matrix) => matrix.get(link),
         }
     }

@@ -142,7 +142,7 @@ impl Affine {
 
     /// Returns true if the map reverses orientation, even where the ratio of volumes overflows or
     /// underflows.
-    pub fn mirrors(&self) -> bool {
+    pub fn is_mirroring(&self) -> bool {
         is_orientation_reversing(self.0.matrix3)
     }
 

@@ -34,7 +34,7 @@ pub fn transform(net: &mut Net<'_>, affine: &Affine, job: &Job<'_>) -> Result<()
         check_overflow(planes, affine, job.threads())?;
         apply_affine(planes, affine, job.threads())?;
     });
-    if affine.mirrors() {
+    if affine.is_mirroring() {
         let reversed = net.topology().is_reversed();
         let topology = net.topology().clone().with_reversed(!reversed);
         net.set_topology(topology);

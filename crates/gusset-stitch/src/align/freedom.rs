@@ -4,7 +4,7 @@ use super::motion_system::Six;
 use super::sample_pairs::PairReport;
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::linear::eigen::eigen;
+use gusset_base::geom::linear::eigen::symmetric_eigen;
 
 /// The stiffness with which overlaps hold a piece.
 #[derive(Clone, Copy)]
@@ -40,7 +40,7 @@ pub(super) fn measure_holds(count: usize, reports: &[([usize; 2], PairReport)]) 
         if weight <= 0.0 {
             return Hold { least: 0.0, noise: 0.0 };
         }
-        let (values, _) = eigen(sum.map(|row| row.map(|x| x / weight)));
+        let (values, _) = symmetric_eigen(sum.map(|row| row.map(|x| x / weight)));
         Hold { least: values.into_iter().fold(f64::INFINITY, f64::min).max(0.0), noise: turn / weight / 4.0 }
     }))
 }

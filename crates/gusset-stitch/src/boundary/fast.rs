@@ -64,7 +64,7 @@ const REPORT_INTERVAL: usize = 1 << 15;
 pub(super) fn regular_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Option<Vec<Vec<Dart>>>> {
     job.step(0.0, "looking for the boundary")?;
     // Determined once, because the query takes time.
-    let threads = par::at_most(mesh.faces().len().div_ceil(CHUNK).min(MAX_SUMS), job.threads());
+    let threads = par::resolve_thread_count(mesh.faces().len().div_ceil(CHUNK).min(MAX_SUMS), job.threads());
     let sums = Sums::compute(mesh, threads)?;
     job.step(0.6, "looking for the boundary")?;
     let parts = par::map(threads, par::ranges(mesh.faces().len(), CHUNK), |range| {

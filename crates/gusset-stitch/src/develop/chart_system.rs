@@ -8,7 +8,7 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::sort::Buckets;
-use gusset_base::sparse::{Coupling, SparseSymmetric, dissect};
+use gusset_base::sparse::{SparseSymmetric, UnknownCouplings, dissect};
 
 /// Number of vertices between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 16;
@@ -28,16 +28,16 @@ pub(super) struct ChartSystem {
 /// Couples each vertex with its neighbours.
 struct Edges<'a>(&'a Buckets<u32>);
 
-impl Coupling for Edges<'_> {
+impl UnknownCouplings for Edges<'_> {
     fn each_row(&self, v: u32, mut visit: impl FnMut(usize)) {
         visit(v as usize);
     }
 
-    fn reach(&self) -> usize {
+    fn coupling_reach(&self) -> usize {
         1
     }
 
-    fn touches(&self, v: u32, found: impl Fn(usize) -> bool) -> bool {
+    fn is_coupled_to_marked(&self, v: u32, found: impl Fn(usize) -> bool) -> bool {
         self.0.get(v as usize).iter().any(|&w| found(w as usize))
     }
 }

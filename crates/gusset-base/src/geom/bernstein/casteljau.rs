@@ -58,7 +58,7 @@ fn combine_neighbours<T>(c: &mut [T], combine: impl Fn(&mut T, &T)) {
 /// Applies de Casteljau's columns at t until `keep` coefficients are left, at the start of `c`. The
 /// other coefficients keep their last values.
 #[inline(always)]
-pub fn reduce<T: Coefficient>(c: &mut [T], t: f64, keep: usize) {
+pub fn reduce_by_casteljau<T: Coefficient>(c: &mut [T], t: f64, keep: usize) {
     for count in (keep..c.len()).rev() {
         combine_neighbours(&mut c[..=count], |x, next| x.blend(next, t));
     }
@@ -67,7 +67,7 @@ pub fn reduce<T: Coefficient>(c: &mut [T], t: f64, keep: usize) {
 #[inline(always)]
 pub fn evaluate<T: Coefficient, const N: usize>(c: &[T; N], t: f64) -> T {
     let mut work = *c;
-    reduce(&mut work, t, 1);
+    reduce_by_casteljau(&mut work, t, 1);
     work[0]
 }
 
@@ -78,9 +78,9 @@ where
     T: Coefficient + Sub<Output = T> + Mul<f64, Output = T>,
 {
     let mut work = *c;
-    reduce(&mut work, t, 2);
+    reduce_by_casteljau(&mut work, t, 2);
     let slope = (work[1] - work[0]) * (N - 1) as f64;
-    reduce(&mut work[..2], t, 1);
+    reduce_by_casteljau(&mut work[..2], t, 1);
     [work[0], slope]
 }
 
@@ -129,7 +129,7 @@ pub fn halves<T: Coefficient, const N: usize>(c: &[T; N]) -> [[T; N]; 2] {
 pub fn restrict<T: Coefficient>(c: &mut [T], [from, to]: [f64; 2]) {
     let mut end = to;
     if from > 0.0 {
-        reduce(c, from, 1);
+        reduce_by_casteljau(c, from, 1);
         end = (to - from) / (1.0 - from);
     }
     if to < 1.0 {

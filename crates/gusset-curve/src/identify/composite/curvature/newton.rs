@@ -170,7 +170,7 @@ impl LeastSteps {
             }
             rows
         };
-        self.banded.begin(EQUATIONS * count)?;
+        self.banded.clear_and_reserve(EQUATIONS * count)?;
         // The equations of this point and of the three before it.
         let mut window = [Rows::default(); SPAN];
         for k in 0..count {

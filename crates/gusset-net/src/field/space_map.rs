@@ -6,14 +6,14 @@ use gusset_base::error::{Error, Result};
 use gusset_base::simd::{self, Kernel};
 
 /// Points to move: their x, y and z, slices of equal length.
-pub type Points<'a> = [&'a mut [f64]; 3];
+pub type PointsMut<'a> = [&'a mut [f64]; 3];
 
 /// A map of space.
 pub trait Field: Sync {
     /// Moves each point independently. `strength` is 1 for the whole map and never 0; each field
     /// defines its meaning for values between 0 and 1, and beyond. A point outside the field's
     /// domain becomes NaN.
-    fn map(&self, strength: f64, points: Points<'_>);
+    fn map(&self, strength: f64, points: PointsMut<'_>);
 
     /// Returns true if finite points stay finite, except by overflow.
     fn is_total(&self) -> bool {
@@ -22,8 +22,8 @@ pub trait Field: Sync {
 }
 
 /// A function of strength and points is a total field.
-impl<F: Fn(f64, Points<'_>) + Sync> Field for F {
-    fn map(&self, strength: f64, points: Points<'_>) {
+impl<F: Fn(f64, PointsMut<'_>) + Sync> Field for F {
+    fn map(&self, strength: f64, points: PointsMut<'_>) {
         self(strength, points);
     }
 }
@@ -32,7 +32,7 @@ impl<F: Fn(f64, Points<'_>) + Sync> Field for F {
 pub(super) struct PartialField<F>(pub(super) F);
 
 impl<F: Field> Field for PartialField<F> {
-    fn map(&self, strength: f64, points: Points<'_>) {
+    fn map(&self, strength: f64, points: PointsMut<'_>) {
         self.0.map(strength, points);
     }
 
@@ -43,17 +43,17 @@ impl<F: Field> Field for PartialField<F> {
 
 /// Applies `map` to each point; for maps with function calls, which do not vectorise.
 #[inline(always)]
-pub(super) fn map_each_point([x, y, z]: Points<'_>, map: impl Fn([f64; 3]) -> [f64; 3]) {
+pub(super) fn map_each_point([x, y, z]: PointsMut<'_>, map: impl Fn([f64; 3]) -> [f64; 3]) {
     map_coordinates(x, y, z, map);
 }
 
 /// Applies `map` to each point; for maps of plain arithmetic, which vectorise.
-pub(super) fn map_each_point_simd(points: Points<'_>, map: impl Fn([f64; 3]) -> [f64; 3]) {
+pub(super) fn map_each_point_simd(points: PointsMut<'_>, map: impl Fn([f64; 3]) -> [f64; 3]) {
     simd::run(MapEachPoint { points, map });
 }
 
 struct MapEachPoint<'a, F> {
-    points: Points<'a>,
+    points: PointsMut<'a>,
     map: F,
 }
 
@@ -90,7 +90,7 @@ pub(super) fn check_parameters_finite(parameters: &[(&'static str, f64)]) -> Res
 
 /// At strength t, points move by t along the line to their image.
 impl Field for Affine {
-    fn map(&self, strength: f64, points: Points<'_>) {
+    fn map(&self, strength: f64, points: PointsMut<'_>) {
         let rows = self.rows();
         map_each_point_simd(
             points,
