@@ -208,18 +208,18 @@ impl Failure {
         Failure { status, message: message.into(), element: GUSSET_ELEMENT_NONE, index: 0, value: 0.0, input: 0 }
     }
 
-    pub(crate) fn null(argument: &'static str) -> Self {
+    pub(crate) fn null_argument(argument: &'static str) -> Self {
         Failure::new(GUSSET_ERROR_NULL_ARGUMENT, format!("{argument} is NULL"))
     }
 
-    pub(crate) fn unknown(what: impl std::fmt::Display, value: u64) -> Self {
+    pub(crate) fn unknown_value(what: impl std::fmt::Display, value: u64) -> Self {
         Failure {
             value: value as f64,
             ..Failure::new(GUSSET_ERROR_UNKNOWN_VALUE, format!("{what} has the unknown value {value}"))
         }
     }
 
-    pub(crate) fn no_such(what: &'static str, index: usize) -> Self {
+    pub(crate) fn no_such_element(what: &'static str, index: usize) -> Self {
         let message = format!("{what} {index} does not exist");
         Failure { index: index as u64, ..Failure::new(GUSSET_ERROR_NO_SUCH_ELEMENT, message) }
     }
@@ -254,7 +254,7 @@ impl Failure {
 }
 
 /// Returns the constant of C for an element.
-fn code_of(element: Element) -> gusset_element {
+fn element_code(element: Element) -> gusset_element {
     match element {
         Element::Vertex => GUSSET_ELEMENT_VERTEX,
         Element::LoopPoint(_) => GUSSET_ELEMENT_LOOP_PLACE,
@@ -301,7 +301,7 @@ impl From<Error> for Failure {
                 ..at(GUSSET_ERROR_CUT_NOT_CONNECTED, GUSSET_ELEMENT_LOOP_PLACE, place, vertex.into())
             },
             NotFinite { element, index, value } => {
-                Failure::with_element(GUSSET_ERROR_NOT_FINITE, code_of(element), index, value)
+                Failure::with_element(GUSSET_ERROR_NOT_FINITE, element_code(element), index, value)
             }
             BadWeight { index, value } => {
                 Failure::with_element(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NODE, index, value)
@@ -314,13 +314,13 @@ impl From<Error> for Failure {
             }
             BadValue { element, index, input, value } => {
                 let status = if value.is_finite() { GUSSET_ERROR_OUT_OF_RANGE } else { GUSSET_ERROR_NOT_FINITE };
-                Failure { input, ..Failure::with_element(status, code_of(element), index, value) }
+                Failure { input, ..Failure::with_element(status, element_code(element), index, value) }
             }
             CoordinateTooLarge { element, index, value } => {
-                Failure::with_element(GUSSET_ERROR_OUT_OF_RANGE, code_of(element), index, value)
+                Failure::with_element(GUSSET_ERROR_OUT_OF_RANGE, element_code(element), index, value)
             }
             NoSuch { element, index } => {
-                Failure::with_element(GUSSET_ERROR_NO_SUCH_ELEMENT, code_of(element), index, 0.0)
+                Failure::with_element(GUSSET_ERROR_NO_SUCH_ELEMENT, element_code(element), index, 0.0)
             }
             SectionsDiffer { section, count, .. } => {
                 at(GUSSET_ERROR_SECTIONS_DIFFER, GUSSET_ELEMENT_SECTION, section, count.into())

@@ -11,7 +11,7 @@ use gusset_base::error::{Error, Result};
 use gusset_base::geom::bit_set::BitSet;
 use gusset_base::job::Job;
 use gusset_base::par;
-use gusset_base::sort::select;
+use gusset_base::sort::select_by_rank;
 use std::ops::Range;
 
 const STAGE: &str = "carrying values over";
@@ -175,7 +175,7 @@ impl<'a> ValueMixer<'a> {
         order.iter_mut().zip(0..).for_each(|(k, place)| *k = place);
         let most = self.channel.max_influences;
         if most > 0 && most < shares.len() {
-            select(order, most, |k| -shares[k as usize]);
+            select_by_rank(order, most, |k| -shares[k as usize]);
             order[most..].iter().for_each(|&k| shares[k as usize] = 0.0);
         }
         let total: f64 = shares.iter().sum();
@@ -190,7 +190,7 @@ impl<'a> ValueMixer<'a> {
         let lost = whole - shares.iter().map(|share| share.floor()).sum::<f64>();
         let lost = (lost.max(0.0) as usize).min(shares.len());
         if lost > 0 && lost < shares.len() {
-            select(order, lost, |k| shares[k as usize].floor() - shares[k as usize]);
+            select_by_rank(order, lost, |k| shares[k as usize].floor() - shares[k as usize]);
         }
         order[..lost].iter().for_each(|&k| shares[k as usize] = shares[k as usize].floor() + 1.0);
         order[lost..].iter().for_each(|&k| shares[k as usize] = shares[k as usize].floor());

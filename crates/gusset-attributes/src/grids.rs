@@ -6,7 +6,7 @@ use super::table::{STAGE, Table};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_mesh::MeshView;
-use gusset_net::convert::{GridNet, NetMesh};
+use gusset_net::convert::{NetMesh, RecognisedNet};
 use gusset_surface::SurfaceMesh;
 
 /// The counts of a grid of nodes, which are both its vertices and its corners.
@@ -50,7 +50,7 @@ impl Origins {
     /// The errors of [`Origins::from_stitch`].
     pub fn from_grid_mesh(
         input: &MeshView<'_>,
-        grid: &GridNet,
+        grid: &RecognisedNet,
         [rows, columns]: [&[usize]; 2],
         made: &NetMesh,
         job: &Job<'_>,

@@ -146,7 +146,7 @@ struct ThreadFaces {
 /// Divides the faces among the threads, with enough faces for each.
 fn divide_faces_among_threads(mesh: &MeshView<'_>, threads: usize) -> Result<Vec<ThreadFaces>> {
     let (faces, vertices) = (mesh.faces().len(), mesh.positions().len());
-    let threads = par::at_most(faces.div_ceil(MIN_FACES_PER_THREAD).min(MAX_BUCKET_THREADS), threads);
+    let threads = par::resolve_thread_count(faces.div_ceil(MIN_FACES_PER_THREAD).min(MAX_BUCKET_THREADS), threads);
     let mut parts = Vec::new();
     for faces in split_into_blocks(0..faces, faces.div_ceil(threads)) {
         let (places, corner_count) = (alloc::zeroed(2 * vertices)?, alloc::zeroed(vertices)?);

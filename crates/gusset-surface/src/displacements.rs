@@ -49,7 +49,7 @@ pub(super) fn displacements(
     sweep.sweep_rows(block_rows.clone(), |k, found, _| along[k] = along[k].union(found))?;
     sweep.sweep_across_rows(block_rows, |k, columns, ranges| {
         let across = ranges.bounding_box(columns.start..columns.end + 1);
-        boxes[k] = enlarged_box(three_quarter_box(along[k]), u.lebesgue()).sum(three_quarter_box(across));
+        boxes[k] = enlarged_box(three_quarter_box(along[k]), u.lebesgue()).minkowski_sum(three_quarter_box(across));
     })
 }
 

@@ -1,7 +1,7 @@
 //! Tensor-product Bézier patches: points, derivatives and subdivision by de Casteljau's algorithm.
 
 use glam::DVec3;
-use gusset_base::geom::bernstein::{halves, reduce};
+use gusset_base::geom::bernstein::{halves, reduce_by_casteljau};
 
 /// Control points `points[a][b]` of degree N - 1 in u (first index) and in v, over 0 <= u, v <= 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,7 +31,7 @@ pub struct Jet {
 /// last three points.
 fn curve<const N: usize>(points: &[DVec3; N], t: f64) -> [DVec3; 3] {
     let mut work = *points;
-    reduce(&mut work, t, 3);
+    reduce_by_casteljau(&mut work, t, 3);
     let degree = (N - 1) as f64;
     let second = (work[2] - 2.0 * work[1] + work[0]) * (degree * (degree - 1.0));
     let (left, right) = (work[0].lerp(work[1], t), work[1].lerp(work[2], t));
@@ -61,7 +61,7 @@ impl<const N: usize> Patch<N> {
     fn iso_curve_controls(&self, u: f64) -> [[DVec3; N]; 3] {
         let mut work = self.points;
         let low = 1.0 - u;
-        reduce(&mut work, u, 3);
+        reduce_by_casteljau(&mut work, u, 3);
         let degree = (N - 1) as f64;
         let mut rows = [[DVec3::ZERO; N]; 3];
         for b in 0..N {

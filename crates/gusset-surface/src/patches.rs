@@ -136,7 +136,7 @@ impl<const N: usize> Cells<N> for Patches<N> {
                 let seen = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.corner(i, j));
                 let corners = patch.corners();
                 let gap = Aabb::from_points(corners.as_flattened().iter().zip(seen).map(|(&own, seen)| own - seen));
-                *bounds = bounds.union(patch.displacements().sum(gap));
+                *bounds = bounds.union(patch.displacements().minkowski_sum(gap));
             }
         }
         Ok(())

@@ -1,7 +1,7 @@
 //! Curves from curves: Parts, other degrees, offsets.
 
 use crate::capi::context::{create, create_and_tell, gusset_context};
-use crate::capi::curve::{gusset_curve, gusset_place, view};
+use crate::capi::curve::{gusset_curve, gusset_place, view_of_curve};
 use crate::capi::glue::versioned;
 use crate::capi::input;
 use crate::capi::status::{Failure, gusset_status};
@@ -71,7 +71,7 @@ pub unsafe extern "C" fn gusset_curve_part_create(
     part: *mut *mut gusset_curve,
 ) -> gusset_status {
     create(context, part, "part", |job| {
-        Ok(gusset_curve(view(curve, "curve")?.sub_curve(from.checked()?, to.checked()?, job)?))
+        Ok(gusset_curve(view_of_curve(curve, "curve")?.sub_curve(from.checked()?, to.checked()?, job)?))
     })
 }
 
@@ -85,7 +85,7 @@ pub unsafe extern "C" fn gusset_curve_reverse_create(
     curve: *const gusset_curve,
     reversed: *mut *mut gusset_curve,
 ) -> gusset_status {
-    create(context, reversed, "reversed", |job| Ok(gusset_curve(view(curve, "curve")?.reversed(job)?)))
+    create(context, reversed, "reversed", |job| Ok(gusset_curve(view_of_curve(curve, "curve")?.reversed(job)?)))
 }
 
 /// Raises and lowers degrees of segments.
@@ -111,9 +111,9 @@ pub unsafe extern "C" fn gusset_curve_change_degree_create(
     changed: *mut *mut gusset_curve,
 ) -> gusset_status {
     create(context, changed, "changed", |job| {
-        let done = view(curve, "curve")?.with_degrees([lowest as usize, highest as usize], tolerance, job)?;
+        let done = view_of_curve(curve, "curve")?.with_degrees([lowest as usize, highest as usize], tolerance, job)?;
         if !deviations.is_null() {
-            input::results(deviations, done.deviations.len(), "deviations")?.copy_from_slice(&done.deviations);
+            input::result_buffer(deviations, done.deviations.len(), "deviations")?.copy_from_slice(&done.deviations);
         }
         Ok(gusset_curve(done.curve))
     })
@@ -142,7 +142,7 @@ pub unsafe extern "C" fn gusset_curve_offset_create(
     let moved = |job: &Job<'_>| {
         let out = out?;
         let options = input::read(options, false, "options")?.checked()?;
-        let done = view(curve, "curve")?.offset(distance, &options, job)?;
+        let done = view_of_curve(curve, "curve")?.offset(distance, &options, job)?;
         let told = gusset_offset_report {
             struct_size: 0,
             deviation: done.deviation,
@@ -154,7 +154,7 @@ pub unsafe extern "C" fn gusset_curve_offset_create(
     };
     create_and_tell(context, offset, "offset", moved, |told| {
         if let Some((out, report)) = told {
-            out.write(report);
+            out.write_known_fields(report);
         }
     })
 }

@@ -1,10 +1,10 @@
 //! Curves in other forms: SVG paths, TrueType contours, B-splines.
 
 use crate::capi::context::{create, gusset_context, lend};
-use crate::capi::curve::{gusset_curve, view};
+use crate::capi::curve::{gusset_curve, view_of_curve};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::lent;
+use crate::capi::input::lend_list;
 use crate::capi::status::{Failure, gusset_status};
 use crate::curve::ops::{Contour, Spline};
 use glam::DVec3;
@@ -83,7 +83,7 @@ pub unsafe extern "C" fn gusset_curve_export_create(
     form: *mut *mut gusset_curve_form,
 ) -> gusset_status {
     create(context, form, "form", |job| {
-        let view = view(curve, "curve")?;
+        let view = view_of_curve(curve, "curve")?;
         match format {
             GUSSET_CURVE_FORMAT_SVG => {
                 let mut text = view.svg_path(job)?.into_bytes();
@@ -98,7 +98,7 @@ pub unsafe extern "C" fn gusset_curve_export_create(
                 let Spline { controls: points, knots, degree } = view.spline(job)?;
                 Ok(gusset_curve_form { points, knots, degree, ..Default::default() })
             }
-            other => Err(Failure::unknown("format", other.into())),
+            other => Err(Failure::unknown_value("format", other.into())),
         }
     })
 }
@@ -120,10 +120,10 @@ pub unsafe extern "C" fn gusset_curve_form_get_view(
         struct_size: size_of::<gusset_curve_form_view>(),
         text: if form.text.is_empty() { c"".as_ptr() } else { form.text.as_ptr().cast() },
         text_length: form.text.len().saturating_sub(1),
-        points: lent(&form.points).cast(),
+        points: lend_list(&form.points).cast(),
         point_count: form.points.len(),
-        on_curve: lent(&form.on_curve),
-        knots: lent(&form.knots),
+        on_curve: lend_list(&form.on_curve),
+        knots: lend_list(&form.knots),
         knot_count: form.knots.len(),
         degree: form.degree,
     })

@@ -3,12 +3,12 @@
 //! @source Nadopta, introduction.
 
 use crate::capi::context::{create, gusset_context, lend};
-use crate::capi::curve::outline::{Given, gusset_outline, gusset_outlines};
+use crate::capi::curve::outline::{GivenOutlines, gusset_outline, gusset_outlines};
 use crate::capi::curve::outline_options::gusset_outline_options;
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle::Tagged;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, flag, lent};
+use crate::capi::input::{self, choice, flag, lend_list};
 use crate::capi::mesh::{self, gusset_indices};
 use crate::capi::status::{Failure, gusset_status};
 use crate::curve::Options;
@@ -172,7 +172,7 @@ impl gusset_frame_options {
                 reference: DVec3::from_array(self.reference),
             },
             GUSSET_CORRESPONDENCE_LANDMARKS => Correspondence::Landmarks { points: landmarks, parts: columns },
-            other => return Err(Failure::unknown("correspondence", other.into())),
+            other => return Err(Failure::unknown_value("correspondence", other.into())),
         };
         let across = input::read_nested(self.across, "across", gusset_outline_options::checked)?;
         let along = input::read_nested(self.along, "along", gusset_outline_options::checked)?;
@@ -199,16 +199,17 @@ pub unsafe extern "C" fn gusset_frame_create(
 ) -> gusset_status {
     create(context, frame, "frame", |job| {
         let options = input::read(options, true, "options")?;
-        let landmarks = mesh::indices(&raw const options.landmarks, "landmarks")?.unwrap_or_default();
-        let axis = input::list::<[f64; 3]>(options.axis_points.cast(), options.axis_point_count, "axis_points")?;
+        let landmarks = mesh::read_indices(&raw const options.landmarks, "landmarks")?.unwrap_or_default();
+        let axis =
+            input::copy_input_items::<[f64; 3]>(options.axis_points.cast(), options.axis_point_count, "axis_points")?;
         let axis = alloc::collect(axis.into_iter().map(DVec3::from_array))?;
         let axis = if options.axis_points.is_null() { None } else { Some(axis.as_slice()) };
-        let missing = mesh::indices(&raw const options.missing, "missing")?.unwrap_or_default();
+        let missing = mesh::read_indices(&raw const options.missing, "missing")?.unwrap_or_default();
         let options = options.checked(&landmarks, &missing, axis)?;
-        let given = Given::read(sections)?;
-        let Frame { grid, across, along } = self::frame(&given.outlines(), &options, job)?;
-        let closed = given.outlines().closed;
-        let (across, along) = (Tagged::part(gusset_outline(across)), Tagged::part(gusset_outline(along)));
+        let given = GivenOutlines::read_outlines(sections)?;
+        let Frame { grid, across, along } = self::frame(&given.as_outlines(), &options, job)?;
+        let closed = given.as_outlines().closed;
+        let (across, along) = (Tagged::new_part(gusset_outline(across)), Tagged::new_part(gusset_outline(along)));
         Ok(gusset_frame {
             grid,
             across,
@@ -249,8 +250,8 @@ pub unsafe extern "C" fn gusset_frame_offset_create(
     offset: *mut *mut gusset_frame,
 ) -> gusset_status {
     create(context, offset, "offset", |job| {
-        let frame = handle::get(frame, "frame")?;
-        let distances = input::list(distances, distance_count, "distances")?;
+        let frame = handle::get_object(frame, "frame")?;
+        let distances = input::copy_input_items(distances, distance_count, "distances")?;
         let options = FrameOptions {
             across: frame.options,
             along: frame.options_along,
@@ -259,7 +260,7 @@ pub unsafe extern "C" fn gusset_frame_offset_create(
         };
         let Frame { grid, across, along } =
             crate::curve::frame::offset(&frame.grid, frame.closed, &distances, choice(direction)?, &options, job)?;
-        let (across, along) = (Tagged::part(gusset_outline(across)), Tagged::part(gusset_outline(along)));
+        let (across, along) = (Tagged::new_part(gusset_outline(across)), Tagged::new_part(gusset_outline(along)));
         let (options, options_along, closed, ring) = (frame.options, frame.options_along, frame.closed, frame.ring);
         Ok(gusset_frame { grid, across, along, options, options_along, closed, ring })
     })
@@ -284,18 +285,18 @@ pub unsafe extern "C" fn gusset_frame_get_view(
             struct_size: size_of::<gusset_frame_view>(),
             rows: grid.rows,
             columns: grid.columns,
-            nodes: lent(&grid.nodes).cast(),
-            across: lent(&grid.across).cast(),
-            along: lent(&grid.along).cast(),
-            curves_across: frame.across.lent(),
-            curves_along: frame.along.lent(),
-            turned: lent(&grid.turned),
-            ambiguous: gusset_indices::lend(&grid.ambiguous),
-            corners: gusset_indices::lend(&grid.corners),
+            nodes: lend_list(&grid.nodes).cast(),
+            across: lend_list(&grid.across).cast(),
+            along: lend_list(&grid.along).cast(),
+            curves_across: frame.across.as_handle(),
+            curves_along: frame.along.as_handle(),
+            turned: lend_list(&grid.turned),
+            ambiguous: gusset_indices::lend_indices(&grid.ambiguous),
+            corners: gusset_indices::lend_indices(&grid.corners),
             max_twist: grid.max_twist,
             max_gap: grid.max_gap,
             min_sine: grid.min_sine,
-            filled: gusset_indices::lend(&grid.filled),
+            filled: gusset_indices::lend_indices(&grid.filled),
         }
     })
 }
@@ -320,8 +321,8 @@ pub unsafe extern "C" fn gusset_frame_slice_create(
     section: *mut *mut gusset_outline,
 ) -> gusset_status {
     create(context, section, "section", |job| {
-        let frame = handle::get(frame, "frame")?;
-        let (point, normal) = (input::vector(point, "point")?, input::vector(normal, "normal")?);
+        let frame = handle::get_object(frame, "frame")?;
+        let (point, normal) = (input::read_vector(point, "point")?, input::read_vector(normal, "normal")?);
         let cut = slice(&frame.along.0, point, normal, frame.closed, &frame.options, job)?;
         Ok(gusset_outline(cut.curve))
     })

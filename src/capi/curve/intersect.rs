@@ -1,10 +1,10 @@
 //! Intersections of curves: Intersections, tangency points and samples.
 
 use crate::capi::context::{create, gusset_context, lend};
-use crate::capi::curve::{gusset_curve, gusset_place, view};
+use crate::capi::curve::{gusset_curve, gusset_place, view_of_curve};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, lent};
+use crate::capi::input::{self, lend_list};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::status::{Failure, gusset_status};
 use crate::curve::ops::{NearMisses, Overlap, PlaneIntersections, Spacing, TangentAngles};
@@ -71,7 +71,7 @@ pub const GUSSET_SAMPLE_STEP: gusset_sample_rule = 1;
 /// size.
 pub const GUSSET_SAMPLE_CHORD: gusset_sample_rule = 2;
 
-fn list(places: impl ExactSizeIterator<Item = Place>) -> Result<Vec<gusset_place>, Error> {
+fn to_c_places(places: impl ExactSizeIterator<Item = Place>) -> Result<Vec<gusset_place>, Error> {
     alloc::collect(places.map(gusset_place::from))
 }
 
@@ -82,7 +82,7 @@ impl gusset_places {
         job: &Job<'_>,
     ) -> Result<Self, Failure> {
         let points = curve.points_at(&found.places, job)?;
-        let places = list(found.places.into_iter())?;
+        let places = to_c_places(found.places.into_iter())?;
         Ok(gusset_places { places, points, inside: found.inside, ..Self::default() })
     }
 
@@ -90,7 +90,7 @@ impl gusset_places {
         let points = curve.points_at(&found.places, job)?;
         let part = |[from, to]: [Place; 2]| [from, to, from, to].map(gusset_place::from);
         let overlaps = alloc::collect(found.intervals.into_iter().map(part))?;
-        Ok(gusset_places { places: list(found.places.into_iter())?, points, overlaps, ..Self::default() })
+        Ok(gusset_places { places: to_c_places(found.places.into_iter())?, points, overlaps, ..Self::default() })
     }
 
     /// Places on `curve` and on another curve.
@@ -99,8 +99,8 @@ impl gusset_places {
         let at = alloc::collect(places.iter().map(|near| near.a))?;
         let ends = |part: &Overlap| [part.a[0], part.a[1], part.b[0], part.b[1]].map(gusset_place::from);
         Ok(gusset_places {
-            places: list(at.iter().copied())?,
-            others: list(places.iter().map(|near| near.b))?,
+            places: to_c_places(at.iter().copied())?,
+            others: to_c_places(places.iter().map(|near| near.b))?,
             points: curve.points_at(&at, job)?,
             overlaps: alloc::collect(overlaps.iter().map(ends))?,
             inside: Vec::new(),
@@ -127,8 +127,11 @@ pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
     places: *mut *mut gusset_places,
 ) -> gusset_status {
     create(context, places, "places", |job| {
-        let (view, point, normal) =
-            (view(curve, "curve")?, input::vector(point, "point")?, input::vector(normal, "normal")?);
+        let (view, point, normal) = (
+            view_of_curve(curve, "curve")?,
+            input::read_vector(point, "point")?,
+            input::read_vector(normal, "normal")?,
+        );
         gusset_places::from_plane_intersections(
             view.intersect_plane(point, normal, &job.part(0.0, 0.9))?,
             &view,
@@ -159,8 +162,8 @@ pub unsafe extern "C" fn gusset_curve_intersect_create(
     places: *mut *mut gusset_places,
 ) -> gusset_status {
     create(context, places, "places", |job| {
-        let one = view(curve, "curve")?;
-        let other = (!other.is_null()).then(|| view(other, "other")).transpose()?;
+        let one = view_of_curve(curve, "curve")?;
+        let other = (!other.is_null()).then(|| view_of_curve(other, "other")).transpose()?;
         let found = one.meetings(other.as_ref(), within, &job.part(0.0, 0.9))?;
         gusset_places::from_meetings(&found, &one, &job.part(0.9, 1.0))
     })
@@ -188,7 +191,7 @@ pub unsafe extern "C" fn gusset_curve_tangent_angle_create(
     places: *mut *mut gusset_places,
 ) -> gusset_status {
     create(context, places, "places", |job| {
-        let (view, direction) = (view(curve, "curve")?, input::vector(direction, "direction")?);
+        let (view, direction) = (view_of_curve(curve, "curve")?, input::read_vector(direction, "direction")?);
         gusset_places::from_tangent_angles(
             view.tangents_at_angle(direction, angle, &job.part(0.0, 0.9))?,
             &view,
@@ -212,16 +215,16 @@ pub unsafe extern "C" fn gusset_curve_sample_create(
     places: *mut *mut gusset_places,
 ) -> gusset_status {
     create(context, places, "places", |job| {
-        let view = view(curve, "curve")?;
+        let view = view_of_curve(curve, "curve")?;
         let spacing = match rule {
             GUSSET_SAMPLE_COUNT if amount.fract() == 0.0 && amount >= 0.0 => Spacing::Count(amount as usize),
             GUSSET_SAMPLE_COUNT => return Err(Error::OptionOutOfRange { option: "amount", value: amount }.into()),
             GUSSET_SAMPLE_STEP => Spacing::Step(amount),
             GUSSET_SAMPLE_CHORD => Spacing::Chord(amount),
-            other => return Err(Failure::unknown("rule", other.into())),
+            other => return Err(Failure::unknown_value("rule", other.into())),
         };
         let found = view.sampled(spacing, job)?;
-        let places = list(found.places.into_iter())?;
+        let places = to_c_places(found.places.into_iter())?;
         Ok(gusset_places { places, points: found.points, ..Default::default() })
     })
 }
@@ -241,13 +244,13 @@ pub unsafe extern "C" fn gusset_places_get_view(
 ) -> gusset_status {
     lend!(places, view, |found| gusset_places_view {
         struct_size: size_of::<gusset_places_view>(),
-        places: lent(&found.places),
+        places: lend_list(&found.places),
         count: found.places.len(),
-        points: lent(&found.points).cast(),
-        others: lent(&found.others),
-        overlaps: lent(found.overlaps.as_flattened()),
+        points: lend_list(&found.points).cast(),
+        others: lend_list(&found.others),
+        overlaps: lend_list(found.overlaps.as_flattened()),
         overlap_count: found.overlaps.len(),
-        inside: gusset_indices::lend(&found.inside),
+        inside: gusset_indices::lend_indices(&found.inside),
         undecided: found.undecided.into(),
         reserved: 0,
     })

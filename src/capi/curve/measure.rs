@@ -1,7 +1,9 @@
 //! Measures of curves: Derivatives, lengths, nearest points, bounds and moments.
 
 use crate::capi::context::{answer_struct, guard, gusset_context};
-use crate::capi::curve::{gusset_curve, gusset_place, places, points, times, view, write};
+use crate::capi::curve::{
+    checked_product, gusset_curve, gusset_place, read_places, read_points, view_of_curve, write_points,
+};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::input;
 use crate::capi::status::{Failure, gusset_status};
@@ -71,23 +73,23 @@ versioned! { gusset_curve_measures: 168 }
 fixed! { gusset_curve_nearest_point: 48 }
 
 /// Computes a value at many places of a curve.
-fn at_places(
+fn compute_at_places(
     context: *const gusset_context,
     curve: *const gusset_curve,
     (places, count): (*const gusset_place, usize),
     answer: impl FnOnce(&CurveView<'_>, &[Place], &Job<'_>) -> Result<(), Failure>,
 ) -> gusset_status {
-    guard(context, |job| answer(&view(curve, "curve")?, &self::places(places, count, "places")?, job))
+    guard(context, |job| answer(&view_of_curve(curve, "curve")?, &self::read_places(places, count, "places")?, job))
 }
 
 /// Pairs a result with the caller's buffer for it.
-fn room<'a, T>(
+fn with_result_buffer<'a, T>(
     out: *mut f64,
     (count, each): (usize, usize),
     name: &'static str,
     made: T,
 ) -> Result<(T, &'a mut [f64]), Failure> {
-    Ok((made, input::results(out, times(count, each, name)?, name)?))
+    Ok((made, input::result_buffer(out, checked_product(count, each, name)?, name)?))
 }
 
 /// Computes points, derivatives, tangents and curvatures at places.
@@ -114,7 +116,7 @@ pub unsafe extern "C" fn gusset_curve_evaluate(
     tangents: *mut f64,
     curvatures: *mut f64,
 ) -> gusset_status {
-    at_places(context, curve, (places, count), |curve, places, job| {
+    compute_at_places(context, curve, (places, count), |curve, places, job| {
         let asked = [derivatives, tangents, curvatures].map(|out| !out.is_null());
         let parts = asked.iter().filter(|&&asked| asked).count();
         let share = |k: usize| {
@@ -125,12 +127,17 @@ pub unsafe extern "C" fn gusset_curve_evaluate(
         let directions = share(1).map(|job| curve.tangents_at(places, &job)).transpose()?;
         let bends = share(2).map(|job| curve.curvatures_at(places, &job)).transpose()?;
         // Check all outputs before writing any.
-        let points = points.map(|points| room(derivatives, (points.len(), 3), "derivatives", points)).transpose()?;
-        let directions = directions.map(|made| room(tangents, (count, 3), "tangents", made)).transpose()?;
-        if let Some((bends, out)) = bends.map(|made| room(curvatures, (count, 1), "curvatures", made)).transpose()? {
+        let points = points
+            .map(|points| with_result_buffer(derivatives, (points.len(), 3), "derivatives", points))
+            .transpose()?;
+        let directions =
+            directions.map(|made| with_result_buffer(tangents, (count, 3), "tangents", made)).transpose()?;
+        if let Some((bends, out)) =
+            bends.map(|made| with_result_buffer(curvatures, (count, 1), "curvatures", made)).transpose()?
+        {
             out.copy_from_slice(&bends);
         }
-        points.into_iter().chain(directions).for_each(|(made, out)| write(&made, out));
+        points.into_iter().chain(directions).for_each(|(made, out)| write_points(&made, out));
         Ok(())
     })
 }
@@ -151,8 +158,8 @@ pub unsafe extern "C" fn gusset_curve_nearest(
     out: *mut gusset_curve_nearest_point,
 ) -> gusset_status {
     guard(context, |job| {
-        let (view, points) = (view(curve, "curve")?, self::points(points, count, 3)?);
-        let out = input::results(out, count, "out")?;
+        let (view, points) = (view_of_curve(curve, "curve")?, self::read_points(points, count, 3)?);
+        let out = input::result_buffer(out, count, "out")?;
         for (to, n) in out.iter_mut().zip(view.nearest(&points, job)?) {
             *to = gusset_curve_nearest_point { place: n.place.into(), point: n.point.to_array(), distance: n.distance };
         }
@@ -174,8 +181,8 @@ pub unsafe extern "C" fn gusset_curve_lengths_at(
     count: usize,
     out: *mut f64,
 ) -> gusset_status {
-    at_places(context, curve, (places, count), |curve, places, job| {
-        let out = input::results(out, count, "out")?;
+    compute_at_places(context, curve, (places, count), |curve, places, job| {
+        let out = input::result_buffer(out, count, "out")?;
         let lengths = curve.lengths(&job.part(0.0, 0.5))?;
         let job = job.part(0.5, 1.0);
         for (k, (to, &place)) in out.iter_mut().zip(places).enumerate() {
@@ -202,9 +209,9 @@ pub unsafe extern "C" fn gusset_curve_places_at(
     out: *mut gusset_place,
 ) -> gusset_status {
     guard(context, |job| {
-        let measured = view(curve, "curve")?.lengths(&job.part(0.0, 0.5))?;
-        let (lengths, job) = (input::list(lengths, count, "lengths")?, job.part(0.5, 1.0));
-        for (k, (to, length)) in input::results(out, count, "out")?.iter_mut().zip(lengths).enumerate() {
+        let measured = view_of_curve(curve, "curve")?.lengths(&job.part(0.0, 0.5))?;
+        let (lengths, job) = (input::copy_input_items(lengths, count, "lengths")?, job.part(0.5, 1.0));
+        for (k, (to, length)) in input::result_buffer(out, count, "out")?.iter_mut().zip(lengths).enumerate() {
             job.step_every(PLACES_PER_REPORT, k, count, "places at lengths")?;
             *to = measured.place(length)?.into();
         }
@@ -228,13 +235,13 @@ pub unsafe extern "C" fn gusset_curve_measure(
     measures: *mut gusset_curve_measures,
 ) -> gusset_status {
     answer_struct(context, (measures, "measures"), |job| {
-        Ok(view(curve, "curve")?.measures(selection(flags)?, job)?.into())
+        Ok(view_of_curve(curve, "curve")?.measures(measure_selection(flags)?, job)?.into())
     })
 }
 
-fn selection(flags: gusset_curve_measure_flags) -> Result<MeasureSelection, Failure> {
+fn measure_selection(flags: gusset_curve_measure_flags) -> Result<MeasureSelection, Failure> {
     if flags > 2 * GUSSET_CURVE_MEASURE_MOMENTS - 1 {
-        return Err(Failure::unknown("flags", flags.into()));
+        return Err(Failure::unknown_value("flags", flags.into()));
     }
     let has = |flag| flags == 0 || flags & flag != 0;
     Ok(MeasureSelection {

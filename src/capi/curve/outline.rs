@@ -4,10 +4,10 @@
 
 use crate::capi::context::{create, guard, gusset_context, lend};
 use crate::capi::curve::outline_options::{gusset_fit_status, gusset_outline_options};
-use crate::capi::curve::{gusset_curve, times};
+use crate::capi::curve::{checked_product, gusset_curve};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, flag, lent};
+use crate::capi::input::{self, flag, lend_list};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::status::{Failure, gusset_status};
 use crate::curve::{
@@ -74,8 +74,8 @@ handle! { gusset_outline }
 
 impl gusset_outline {
     /// Returns the curve of outline `index`.
-    pub(crate) fn curve(&self, index: usize) -> Result<CurveView<'_>, Failure> {
-        if index < self.0.len() { Ok(self.0.curve(index)) } else { Err(Failure::no_such("outline", index)) }
+    pub(crate) fn curve_of_outline(&self, index: usize) -> Result<CurveView<'_>, Failure> {
+        if index < self.0.len() { Ok(self.0.curve(index)) } else { Err(Failure::no_such_element("outline", index)) }
     }
 }
 
@@ -152,41 +152,41 @@ versioned! {
 fixed! { gusset_constraint: 32 }
 
 /// The caller's outlines: the points in place, everything else copied.
-pub(crate) struct Given<'a> {
+pub(crate) struct GivenOutlines<'a> {
     points: Points<'a>,
     offsets: Option<Vec<u32>>,
     constraints: Vec<Constraint>,
     closed: bool,
 }
 
-impl Given<'_> {
-    pub(crate) fn read(outlines: *const gusset_outlines) -> Result<Self, Failure> {
+impl GivenOutlines<'_> {
+    pub(crate) fn read_outlines(outlines: *const gusset_outlines) -> Result<Self, Failure> {
         let given = input::read(outlines, false, "outlines")?;
         let closed = flag(given.closed, "closed")?;
         let dimension = given.dimension as usize;
         let size = Points::bytes_needed(given.point_stride, given.point_count, dimension)?;
-        let points = input::bytes(given.points, size, 1, "points")?;
+        let points = input::input_bytes(given.points, size, 1, "points")?;
         let points = Points::strided(points, given.point_stride, given.point_count, dimension)?;
         Error::check_count("outlines", given.outline_count as u64, MAX_POINTS as u64)?;
         Error::check_count("constraints", given.constraint_count as u64, MAX_POINTS as u64)?;
         let offsets = if given.offsets.is_null() && given.outline_count == 0 {
             None
         } else {
-            Some(input::list(given.offsets, given.outline_count + 1, "offsets")?)
+            Some(input::copy_input_items(given.offsets, given.outline_count + 1, "offsets")?)
         };
         let size = size_of::<gusset_constraint>();
-        let bytes = input::bytes(given.constraints.cast(), given.constraint_count, size, "constraints")?;
-        let constraints = alloc::try_collect(bytes.chunks_exact(size).map(constraint))?;
-        Ok(Given { points, offsets, constraints, closed })
+        let bytes = input::input_bytes(given.constraints.cast(), given.constraint_count, size, "constraints")?;
+        let constraints = alloc::try_collect(bytes.chunks_exact(size).map(read_constraint))?;
+        Ok(GivenOutlines { points, offsets, constraints, closed })
     }
 
-    pub(crate) fn outlines(&self) -> Outlines<'_> {
-        let Given { points, offsets, constraints, closed } = self;
+    pub(crate) fn as_outlines(&self) -> Outlines<'_> {
+        let GivenOutlines { points, offsets, constraints, closed } = self;
         Outlines { points: *points, offsets: offsets.as_deref(), closed: *closed, constraints }
     }
 }
 
-fn constraint(bytes: &[u8]) -> Result<Constraint, Failure> {
+fn read_constraint(bytes: &[u8]) -> Result<Constraint, Failure> {
     let [point, kind]: [u32; 2] = bytemuck::pod_read_unaligned(&bytes[..8]);
     let kind = match kind {
         GUSSET_CONSTRAINT_TANGENT => {
@@ -194,7 +194,7 @@ fn constraint(bytes: &[u8]) -> Result<Constraint, Failure> {
         }
         GUSSET_CONSTRAINT_CORNER => PointConstraint::Corner,
         GUSSET_CONSTRAINT_TANGENT_ANGLE => PointConstraint::TangentAngle(bytemuck::pod_read_unaligned(&bytes[8..16])),
-        other => return Err(Failure::unknown("kind", other.into())),
+        other => return Err(Failure::unknown_value("kind", other.into())),
     };
     Ok(Constraint { point, kind })
 }
@@ -219,8 +219,8 @@ pub unsafe extern "C" fn gusset_outline_create(
 ) -> gusset_status {
     create(context, outline, "outline", |job| {
         let options = input::read(options, true, "options")?.checked()?;
-        let given = Given::read(outlines)?;
-        Ok(gusset_outline(fit(&given.outlines(), &options, job)?))
+        let given = GivenOutlines::read_outlines(outlines)?;
+        Ok(gusset_outline(fit(&given.as_outlines(), &options, job)?))
     })
 }
 
@@ -241,13 +241,13 @@ pub unsafe extern "C" fn gusset_outline_get_view(
         struct_size: size_of::<gusset_outline_view>(),
         outline_count: done.len(),
         point_count: done.parameters().len(),
-        controls: lent(done.points()).cast(),
+        controls: lend_list(done.points()).cast(),
         control_count: done.points().len(),
-        ends: gusset_indices::lend(done.ends()),
-        starts: lent(done.starts().as_flattened()),
-        segments: gusset_indices::lend(done.segments()),
-        parameters: lent(done.parameters()),
-        statuses: lent(done.statuses()).cast(),
+        ends: gusset_indices::lend_indices(done.ends()),
+        starts: lend_list(done.starts().as_flattened()),
+        segments: gusset_indices::lend_indices(done.segments()),
+        parameters: lend_list(done.parameters()),
+        statuses: lend_list(done.statuses()).cast(),
     })
 }
 
@@ -263,7 +263,7 @@ pub unsafe extern "C" fn gusset_outline_get_report(
     report: *mut gusset_outline_report,
 ) -> gusset_status {
     lend!(outline, report, |gusset_outline(done)| {
-        let report = done.reports().get(index).ok_or_else(|| Failure::no_such("outline", index))?;
+        let report = done.reports().get(index).ok_or_else(|| Failure::no_such_element("outline", index))?;
         gusset_outline_report {
             struct_size: size_of::<gusset_outline_report>(),
             fit: report.status as gusset_fit_status,
@@ -294,7 +294,7 @@ pub unsafe extern "C" fn gusset_outline_curve_create(
     curve: *mut *mut gusset_curve,
 ) -> gusset_status {
     create(context, curve, "curve", |job| {
-        Ok(gusset_curve(handle::get(outline, "outline")?.curve(index)?.to_owned_cancellable(job)?))
+        Ok(gusset_curve(handle::get_object(outline, "outline")?.curve_of_outline(index)?.to_owned_cancellable(job)?))
     })
 }
 
@@ -327,31 +327,31 @@ pub unsafe extern "C" fn gusset_outlines_find_sections(
     statuses: *mut u8,
     steps: *mut u64,
 ) -> gusset_status {
-    let steps = input::optional_output(steps, 0, "steps");
+    let steps = input::cleared_optional_output(steps, 0, "steps");
     guard(context, |job| {
         let steps = steps?;
         let options = input::read(options, true, "options")?.checked()?;
-        let given = Given::read(outlines)?;
-        let outlines = given.outlines();
+        let given = GivenOutlines::read_outlines(outlines)?;
+        let outlines = given.as_outlines();
         let count = outlines.points.len();
-        let mut controls = room(controls, (count, 3), "controls")?.chunks_exact_mut(3);
-        let mut parameters = room(parameters, (count, 1), "parameters")?.iter_mut();
-        let mut statuses = room(statuses, (count, 1), "statuses")?.iter_mut();
+        let mut controls = optional_result_buffer(controls, (count, 3), "controls")?.chunks_exact_mut(3);
+        let mut parameters = optional_result_buffer(parameters, (count, 1), "parameters")?.iter_mut();
+        let mut statuses = optional_result_buffer(statuses, (count, 1), "statuses")?.iter_mut();
         let visit = |section: Section, status: PointStatus| {
             controls.next().into_iter().for_each(|to| to.copy_from_slice(&section.control.to_array()));
             parameters.next().into_iter().for_each(|to| *to = section.t);
             statuses.next().into_iter().for_each(|to| *to = status as u8);
         };
-        input::set(steps, visit_sections(&outlines, &options, visit, job)?);
+        input::set_optional_output(steps, visit_sections(&outlines, &options, visit, job)?);
         Ok(())
     })
 }
 
 /// Returns the caller's buffer for `each` numbers a point; `None` if it is NULL.
-fn room<'a, T: bytemuck::Pod>(
+fn optional_result_buffer<'a, T: bytemuck::Pod>(
     out: *mut T,
     (count, each): (usize, usize),
     name: &'static str,
 ) -> Result<&'a mut [T], Failure> {
-    input::results(out, if out.is_null() { 0 } else { times(count, each, name)? }, name)
+    input::result_buffer(out, if out.is_null() { 0 } else { checked_product(count, each, name)? }, name)
 }

@@ -187,14 +187,14 @@ pub struct gusset_outline_options {
 versioned! { gusset_outline_options: 80 }
 
 /// Converts the method in the options.
-pub(crate) fn method(options: &gusset_outline_options) -> Result<Method, Failure> {
+pub(crate) fn to_section_method(options: &gusset_outline_options) -> Result<Method, Failure> {
     match options.method {
         GUSSET_METHOD_BISECTOR => Ok(Method::Bisector),
         GUSSET_METHOD_MEDIAN => Ok(Method::Median),
         GUSSET_METHOD_NORMAL => Ok(Method::Normal),
         GUSSET_METHOD_SYMMEDIAN => Ok(Method::Symmedian),
         GUSSET_METHOD_ALPHA => Ok(Method::Alpha(options.alpha)),
-        other => Err(Failure::unknown("method", other.into())),
+        other => Err(Failure::unknown_value("method", other.into())),
     }
 }
 
@@ -226,7 +226,7 @@ impl gusset_outline_options {
         let or_count = |value: u32, default: u32| if value == 0 { default } else { value };
         Ok(Options {
             mode: choice(self.curve)?,
-            method: method(&self)?,
+            method: to_section_method(&self)?,
             lock: choice(self.lock)?,
             joint: choice(self.joint)?,
             solver: choice(self.solver)?,

@@ -155,13 +155,13 @@ c_enum! {
     }
 }
 
-fn pose(given: gusset_transform) -> Pose {
+fn to_pose(given: gusset_transform) -> Pose {
     let row = |k: usize| DVec3::from_slice(&given.rows[4 * k..]);
     let translation = DVec3::new(given.rows[3], given.rows[7], given.rows[11]);
     Pose { rotation: DMat3::from_cols(row(0), row(1), row(2)).transpose(), translation }
 }
 
-fn transform(pose: &Pose) -> gusset_transform {
+fn to_c_transform(pose: &Pose) -> gusset_transform {
     let [x, y, z] = [0, 1, 2].map(|k| pose.rotation.row(k));
     let t = pose.translation;
     gusset_transform { rows: [x.x, x.y, x.z, t.x, y.x, y.y, y.z, t.y, z.x, z.y, z.z, t.z] }
@@ -170,7 +170,7 @@ fn transform(pose: &Pose) -> gusset_transform {
 impl gusset_alignment {
     fn new(done: &Alignment) -> Result<Self, Error> {
         let piece = |piece: &Aligned| gusset_aligned_piece {
-            pose: transform(&piece.pose),
+            pose: to_c_transform(&piece.pose),
             hold: piece.hold,
             reason: piece.reason.number(),
             reserved: 0,
@@ -217,18 +217,18 @@ pub unsafe extern "C" fn gusset_alignment_create(
 ) -> gusset_status {
     create(context, alignment, "alignment", |job| {
         let options = input::read(options, true, "options")?;
-        let poses = alloc::collect(input::items(options.poses, options.pose_count, "poses")?.map(pose))?;
+        let poses = alloc::collect(input::input_items(options.poses, options.pose_count, "poses")?.map(to_pose))?;
         let start = match options.start {
             GUSSET_ALIGN_AS_GIVEN if poses.is_empty() => Start::AsGiven,
             GUSSET_ALIGN_AS_GIVEN => Start::Poses(&poses),
             GUSSET_ALIGN_PRINCIPAL_AXES => Start::PrincipalAxes,
             GUSSET_ALIGN_RIMS => Start::Rims,
-            other => return Err(Failure::unknown("start", other.into())),
+            other => return Err(Failure::unknown_value("start", other.into())),
         };
         let max_distance = (options.max_distance != 0.0).then_some(options.max_distance);
         let how = Options { start, max_distance, samples: options.samples, max_rounds: options.max_rounds };
-        let given_meshes = mesh::meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
-        let views = alloc::collect(given_meshes.iter().map(GivenMesh::view))?;
+        let given_meshes = mesh::read_meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
+        let views = alloc::collect(given_meshes.iter().map(GivenMesh::mesh_view))?;
         Ok(gusset_alignment::new(&align(&views, &how, &job.part(0.1, 1.0))?)?)
     })
 }
@@ -248,9 +248,9 @@ pub unsafe extern "C" fn gusset_alignment_get_view(
 ) -> gusset_status {
     lend!(alignment, view, |alignment| gusset_alignment_view {
         struct_size: size_of::<gusset_alignment_view>(),
-        pieces: input::lent(&alignment.pieces),
+        pieces: input::lend_list(&alignment.pieces),
         piece_count: alignment.pieces.len(),
-        overlaps: input::lent(&alignment.overlaps),
+        overlaps: input::lend_list(&alignment.overlaps),
         overlap_count: alignment.overlaps.len(),
         rounds: alignment.rounds,
         converged: alignment.converged.into(),

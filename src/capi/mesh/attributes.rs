@@ -137,7 +137,7 @@ pub unsafe extern "C" fn gusset_attributes_apply(
 ) -> gusset_status {
     guard(context, |job| {
         let given = input::read(channel, false, "channel")?;
-        let origins = &handle::get(origins, "origins")?.0;
+        let origins = &handle::get_object(origins, "origins")?.0;
         carry_over(origins, given, (inputs, input_count), (values, count, stride), job)
     })
 }
@@ -176,7 +176,7 @@ pub(crate) fn carry_over(
         }
         let size =
             Strided::span(one.count, one.stride, channel.size(), "values").map_err(|error| of_input(error.into()))?;
-        let bytes = input::bytes(one.values, size, 1, "values").map_err(of_input)?;
+        let bytes = input::input_bytes(one.values, size, 1, "values").map_err(of_input)?;
         let range = bytes.as_ptr_range();
         if !bytes.is_empty() && (range.start as usize) < room_range.end && room_range.start < range.end as usize {
             return Err(of_input(Failure::new(GUSSET_ERROR_OVERLAP, "values overlaps the values of an input")));
@@ -188,7 +188,7 @@ pub(crate) fn carry_over(
         let message = format!("values has room for {count} elements, but {needed} are needed");
         return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
     }
-    let out = input::results(values.cast::<u8>(), room, "values")?;
+    let out = input::result_buffer(values.cast::<u8>(), room, "values")?;
     let mut out = Output::new(out, stride, count, channel.values())?;
     Ok(apply(origins, &channel, &mut out, job)?)
 }
@@ -212,14 +212,14 @@ pub unsafe extern "C" fn gusset_mesh_find_merge(
 ) -> gusset_status {
     guard(context, |job| {
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         let count = mesh.positions().len();
-        let keys = (!keys.is_null()).then(|| input::list(keys, count, "keys")).transpose()?;
+        let keys = (!keys.is_null()).then(|| input::copy_input_items(keys, count, "keys")).transpose()?;
         let found = merge_map(&mesh, keys.as_deref(), &job.part(0.1, 1.0))?;
         if merge.is_null() {
-            return Err(Failure::null("merge"));
+            return Err(Failure::null_argument("merge"));
         }
-        input::results(merge.cast::<u8>(), 4 * count, "merge")?.copy_from_slice(bytemuck::cast_slice(&found));
+        input::result_buffer(merge.cast::<u8>(), 4 * count, "merge")?.copy_from_slice(bytemuck::cast_slice(&found));
         Ok(())
     })
 }

@@ -6,7 +6,7 @@ use crate::boundary::{self, Boundary, EdgeFlags, LoopFlags, NonManifold, Survey,
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, lent};
+use crate::capi::input::{self, choice, lend_list};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::{Failure, gusset_status};
 use crate::mesh::{Defect, NONE};
@@ -211,7 +211,7 @@ pub unsafe extern "C" fn gusset_boundary_create(
     create(context, boundary, "boundary", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         let boundary = boundary_loops(&mesh, &options, &job.part(0.2, 1.0))?;
         let defects = alloc::collect(boundary.defects().iter().map(gusset_defect::from))?;
         Ok(gusset_boundary { boundary, defects })
@@ -235,7 +235,7 @@ pub unsafe extern "C" fn gusset_boundary_get_view(
         struct_size: size_of::<gusset_boundary_view>(),
         loop_count: boundary.len(),
         walk_count: boundary.walk_count() as usize,
-        defects: lent(defects),
+        defects: lend_list(defects),
         defect_count: defects.len(),
     })
 }
@@ -252,13 +252,13 @@ pub unsafe extern "C" fn gusset_boundary_get_loop(
     view: *mut gusset_loop_view,
 ) -> gusset_status {
     lend!(boundary, view, |boundary| {
-        let found = boundary.boundary.get(index).ok_or_else(|| Failure::no_such("loop", index))?;
+        let found = boundary.boundary.get(index).ok_or_else(|| Failure::no_such_element("loop", index))?;
         gusset_loop_view {
             struct_size: size_of::<gusset_loop_view>(),
-            vertices: gusset_indices::lend(found.vertices),
-            half_edges: gusset_indices::lend(found.half_edges),
-            faces: gusset_indices::lend(found.faces),
-            edge_flags: lent(found.edge_flags),
+            vertices: gusset_indices::lend_indices(found.vertices),
+            half_edges: gusset_indices::lend_indices(found.half_edges),
+            faces: gusset_indices::lend_indices(found.faces),
+            edge_flags: lend_list(found.edge_flags),
             length: found.length,
             flags: found.flags.0,
             walk: found.walk,

@@ -84,7 +84,7 @@ pub unsafe extern "C" fn gusset_check_create(
 ) -> gusset_status {
     create(context, check, "check", |job| {
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         Ok(gusset_check(self::check(&mesh, &job.part(0.2, 1.0))?))
     })
 }
@@ -117,15 +117,15 @@ pub unsafe extern "C" fn gusset_check_get_view(
                 | bit(c.orientable, GUSSET_MESH_ORIENTABLE),
             euler: c.euler,
             genus: c.genus.map_or(-1, i64::from),
-            boundary_edges: gusset_indices::lend(&c.boundary_edges),
-            non_manifold_edges: gusset_indices::lend(&c.non_manifold_edges),
-            non_manifold_vertices: gusset_indices::lend(&c.non_manifold_vertices),
-            bow_ties: gusset_indices::lend(&c.bow_ties),
-            orientation_conflicts: gusset_indices::lend(&c.orientation_conflicts),
-            duplicate_faces: gusset_indices::lend(&c.duplicate_faces),
-            degenerate_faces: gusset_indices::lend(&c.degenerate_faces),
-            zero_area_faces: gusset_indices::lend(&c.zero_area_faces),
-            unused_vertices: gusset_indices::lend(&c.unused_vertices),
+            boundary_edges: gusset_indices::lend_indices(&c.boundary_edges),
+            non_manifold_edges: gusset_indices::lend_indices(&c.non_manifold_edges),
+            non_manifold_vertices: gusset_indices::lend_indices(&c.non_manifold_vertices),
+            bow_ties: gusset_indices::lend_indices(&c.bow_ties),
+            orientation_conflicts: gusset_indices::lend_indices(&c.orientation_conflicts),
+            duplicate_faces: gusset_indices::lend_indices(&c.duplicate_faces),
+            degenerate_faces: gusset_indices::lend_indices(&c.degenerate_faces),
+            zero_area_faces: gusset_indices::lend_indices(&c.zero_area_faces),
+            unused_vertices: gusset_indices::lend_indices(&c.unused_vertices),
         }
     })
 }

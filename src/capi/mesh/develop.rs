@@ -6,8 +6,8 @@
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::input::{self, choice};
-use crate::capi::mesh::develop_report::{Development, gusset_develop_report};
-use crate::capi::mesh::result::{Made, gusset_result, report};
+use crate::capi::mesh::develop_report::{DevelopedSurface, gusset_develop_report};
+use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::{Failure, gusset_status};
 use crate::develop::{Cuts, Distortion, Options, develop};
@@ -100,12 +100,12 @@ pub unsafe extern "C" fn gusset_develop(
 ) -> gusset_status {
     create(context, result, "result", |job| {
         let options = input::read(options, true, "options")?;
-        let cuts = mesh::indices(&raw const options.cuts, "cuts")?.unwrap_or_default();
-        let offsets = mesh::indices(&raw const options.cut_offsets, "cut_offsets")?.unwrap_or_default();
+        let cuts = mesh::read_indices(&raw const options.cuts, "cuts")?.unwrap_or_default();
+        let offsets = mesh::read_indices(&raw const options.cut_offsets, "cut_offsets")?.unwrap_or_default();
         let options = options.checked(&cuts, &offsets)?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let done = self::develop(&given_mesh.view(), &options, &job.part(0.1, 1.0))?;
-        Ok(gusset_result(Made::Develop(Development::new(done, &job.part(1.0, 1.0))?)))
+        let done = self::develop(&given_mesh.mesh_view(), &options, &job.part(0.1, 1.0))?;
+        Ok(gusset_result(OperationResult::Develop(DevelopedSurface::new(done, &job.part(1.0, 1.0))?)))
     })
 }
 
@@ -118,5 +118,5 @@ pub unsafe extern "C" fn gusset_result_get_develop(
     result: *const gusset_result,
     report: *mut gusset_develop_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_develop", Made::Develop(development) => development.report())
+    report!(result, report, "gusset_develop", OperationResult::Develop(development) => development.develop_report())
 }

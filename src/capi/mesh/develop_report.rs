@@ -1,7 +1,7 @@
 //! Developments: reports: Charts, cuts and distortion.
 
 use crate::capi::glue::{fixed, versioned};
-use crate::capi::input::lent;
+use crate::capi::input::lend_list;
 use crate::capi::mesh::gusset_indices;
 use crate::develop::{Chart, CutKind, Developed, Finish};
 use crate::error::Error;
@@ -133,7 +133,7 @@ impl From<&Chart> for gusset_chart {
     }
 }
 
-fn kind(kind: CutKind) -> u32 {
+fn cut_kind_code(kind: CutKind) -> u32 {
     match kind {
         CutKind::Given => GUSSET_CUT_GIVEN,
         CutKind::Opening => GUSSET_CUT_OPENING,
@@ -142,35 +142,35 @@ fn kind(kind: CutKind) -> u32 {
 }
 
 /// A surface in the plane, and the reports on its charts and cuts.
-pub(crate) struct Development {
+pub(crate) struct DevelopedSurface {
     pub(crate) done: Developed,
     charts: Vec<gusset_chart>,
     cut_edges: Vec<u32>,
     cut_kinds: Vec<u32>,
 }
 
-impl Development {
+impl DevelopedSurface {
     pub(crate) fn new(done: Developed, job: &Job<'_>) -> Result<Self, Error> {
         let stage = "putting the pieces together";
-        Ok(Development {
+        Ok(DevelopedSurface {
             charts: alloc::collect_cancellable(done.charts.iter().map(gusset_chart::from), job, stage)?,
             cut_edges: alloc::gather(done.cut_edges.iter().flat_map(|&(ends, _)| ends))?,
-            cut_kinds: alloc::collect(done.cut_edges.iter().map(|&(_, why)| kind(why)))?,
+            cut_kinds: alloc::collect(done.cut_edges.iter().map(|&(_, why)| cut_kind_code(why)))?,
             done,
         })
     }
 
-    pub(crate) fn report(&self) -> gusset_develop_report {
+    pub(crate) fn develop_report(&self) -> gusset_develop_report {
         gusset_develop_report {
             struct_size: size_of::<gusset_develop_report>(),
-            points: lent(&self.done.points).cast(),
-            vertex_map: gusset_indices::lend(&self.done.vertex_map),
-            face_charts: gusset_indices::lend(&self.done.face_charts),
-            stretches: lent(&self.done.stretches).cast(),
-            charts: lent(&self.charts),
+            points: lend_list(&self.done.points).cast(),
+            vertex_map: gusset_indices::lend_indices(&self.done.vertex_map),
+            face_charts: gusset_indices::lend_indices(&self.done.face_charts),
+            stretches: lend_list(&self.done.stretches).cast(),
+            charts: lend_list(&self.charts),
             chart_count: self.charts.len(),
-            cut_edges: gusset_indices::lend(&self.cut_edges),
-            cut_kinds: gusset_indices::lend(&self.cut_kinds),
+            cut_edges: gusset_indices::lend_indices(&self.cut_edges),
+            cut_kinds: gusset_indices::lend_indices(&self.cut_kinds),
             darts: self.done.darts,
             reserved: 0,
         }

@@ -5,9 +5,9 @@
 use crate::capi::context::{create, guard_change, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, fill, lent};
+use crate::capi::input::{self, choice, fill_buffer, lend_list};
 use crate::capi::mesh::gusset_indices;
-use crate::capi::mesh::stitch_options::{gusset_centres, gusset_facing_run, gusset_tolerance_mode, tolerance};
+use crate::capi::mesh::stitch_options::{gusset_centres, gusset_facing_run, gusset_tolerance_mode, to_tolerance};
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Error;
 use crate::mesh::MAX_ELEMENTS;
@@ -71,20 +71,20 @@ versioned! { gusset_facing_options: 24 reserved, gusset_facing_view: 184 }
 
 impl gusset_facing_options {
     fn checked(self) -> Result<Options, Failure> {
-        let tolerance = tolerance(self.tolerance_mode, self.tolerance)?;
+        let tolerance = to_tolerance(self.tolerance_mode, self.tolerance)?;
         Ok(Options { run: choice(self.run)?, tolerance, centres: choice(self.centres)? })
     }
 }
 
 /// Returns the first place of a run, and its number of vertices.
-fn pair(arc: &Arc) -> [u32; 2] {
+fn first_and_count(arc: &Arc) -> [u32; 2] {
     [arc.first as u32, arc.count as u32]
 }
 
 /// Reads the caller's packed points.
-pub(crate) fn points(data: *const f64, count: usize, name: &'static str) -> Result<Vec<DVec3>, Failure> {
+pub(crate) fn read_loop_points(data: *const f64, count: usize, name: &'static str) -> Result<Vec<DVec3>, Failure> {
     Error::check_count(name, count as u64, MAX_ELEMENTS)?;
-    Ok(alloc::collect(input::items(data.cast(), count, name)?.map(DVec3::from_array))?)
+    Ok(alloc::collect(input::input_items(data.cast(), count, name)?.map(DVec3::from_array))?)
 }
 
 /// Finds the vertices of two loops that face each other.
@@ -108,10 +108,10 @@ pub unsafe extern "C" fn gusset_facing_create(
 ) -> gusset_status {
     create(context, facing, "facing", |job| {
         let options = input::read(options, true, "options")?.checked()?;
-        let a = points(points_a, count_a, "points_a")?;
-        let b = points(points_b, count_b, "points_b").map_err(|failure| failure.with_input(1))?;
+        let a = read_loop_points(points_a, count_a, "points_a")?;
+        let b = read_loop_points(points_b, count_b, "points_b").map_err(|failure| failure.with_input(1))?;
         let found = self::facing(&a, &b, &options, job)?;
-        let pairs = |arcs: &[Arc]| alloc::collect(arcs.iter().map(pair));
+        let pairs = |arcs: &[Arc]| alloc::collect(arcs.iter().map(first_and_count));
         let runs = [pairs(&found.runs[0])?, pairs(&found.runs[1])?];
         Ok(gusset_facing { found, runs })
     })
@@ -134,9 +134,9 @@ pub unsafe extern "C" fn gusset_facing_get_view(
         struct_size: size_of::<gusset_facing_view>(),
         centre: found.planes.centres.map(|c| c.to_array()),
         normal: found.planes.normals.map(|n| n.to_array()),
-        distances: found.distances.each_ref().map(|list| lent(list)),
-        runs: runs.each_ref().map(|list| gusset_indices::lend(list.as_flattened())),
-        taken: found.taken.each_ref().map(pair),
+        distances: found.distances.each_ref().map(|list| lend_list(list)),
+        runs: runs.each_ref().map(|list| gusset_indices::lend_indices(list.as_flattened())),
+        taken: found.taken.each_ref().map(first_and_count),
         counts: found.distances.each_ref().map(Vec::len),
     })
 }
@@ -161,10 +161,10 @@ pub unsafe extern "C" fn gusset_meridians_index(
     written: *mut usize,
 ) -> gusset_status {
     guard_change(ptr::null(), |job| {
-        let written = input::output(written, 0, "written")?;
+        let written = input::cleared_output(written, 0, "written")?;
         if m > n {
             return Err(Error::OptionOutOfRange { option: "m", value: m.into() }.into());
         }
-        fill((j, capacity, "j"), n as usize + 1, written, job, || Ok(index_rule(n, m)))
+        fill_buffer((j, capacity, "j"), n as usize + 1, written, job, || Ok(index_rule(n, m)))
     })
 }

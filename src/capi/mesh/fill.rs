@@ -6,10 +6,10 @@ use crate::attributes::KeepSplits;
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::input::{self, choice, flag};
-use crate::capi::mesh::fill_report::{Fill, gusset_fill_report, gusset_fill_weight};
-use crate::capi::mesh::result::{Made, gusset_result, report};
+use crate::capi::mesh::fill_report::{FillResult, gusset_fill_report, gusset_fill_weight};
+use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::mesh::stitch_options::{
-    GUSSET_FAIRING_NONE, GUSSET_FAIRING_THIN_PLATE, gusset_fairing, gusset_intersections, gusset_outward, outward,
+    GUSSET_FAIRING_NONE, GUSSET_FAIRING_THIN_PLATE, gusset_fairing, gusset_intersections, gusset_outward, to_outward,
 };
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::gusset_status::GUSSET_ERROR_NULL_ARGUMENT;
@@ -127,7 +127,7 @@ impl gusset_fill_options {
         let refinement = match self.refine {
             GUSSET_REFINE_NONE => Refinement::None,
             GUSSET_REFINE_RIM_DENSITY => Refinement::RimDensity(self.max_new_vertices),
-            other => return Err(Failure::unknown("refine", other.into())),
+            other => return Err(Failure::unknown_value("refine", other.into())),
         };
         let limits = Limits {
             edges: (self.max_edges != 0).then_some(self.max_edges),
@@ -146,30 +146,30 @@ impl gusset_fill_options {
             keep: choice(self.keep)?,
             together: choice(self.together)?,
             plan_only: flag(self.plan_only, "plan_only")?,
-            outward: outward(self.outward, Outward::Keep)?,
+            outward: to_outward(self.outward, Outward::Keep)?,
         })
     }
 
     /// Copies the loops' group numbers.
-    fn groups(self, loops: *const gusset_indices, count: usize) -> Result<Option<Vec<u32>>, Failure> {
+    fn read_groups(self, loops: *const gusset_indices, count: usize) -> Result<Option<Vec<u32>>, Failure> {
         if self.groups.is_null() {
             return Ok(None);
         }
         if loops.is_null() {
             return Err(Failure::new(GUSSET_ERROR_NULL_ARGUMENT, "groups are given, but loops is NULL"));
         }
-        input::list(self.groups, count, "groups").map(Some)
+        input::copy_input_items(self.groups, count, "groups").map(Some)
     }
 }
 
 /// Copies the caller's loops; `None` means all.
-fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u32>>>, Failure> {
+fn read_loops(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u32>>>, Failure> {
     Error::check_count("loops", count as u64, MAX_ELEMENTS)?;
     if loops.is_null() {
-        return if count == 0 { Ok(None) } else { Err(Failure::null("loops")) };
+        return if count == 0 { Ok(None) } else { Err(Failure::null_argument("loops")) };
     }
     let list = |i| {
-        let found = mesh::indices(loops.wrapping_add(i), "the data of a loop").map(Option::unwrap_or_default);
+        let found = mesh::read_indices(loops.wrapping_add(i), "the data of a loop").map(Option::unwrap_or_default);
         found.map_err(|failure| failure.with_item(i))
     };
     alloc::try_collect((0..count).map(list)).map(Some)
@@ -215,13 +215,14 @@ pub unsafe extern "C" fn gusset_fill(
         let given_options = input::read(options, true, "options")?;
         let options = given_options.checked()?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let mesh = given_mesh.view();
-        let given = given(loops, loop_count)?;
-        let merged =
-            |loops: Vec<Vec<u32>>| alloc::gather(loops.into_iter().map(|vertices| mesh::merged(&mesh, vertices)));
+        let mesh = given_mesh.mesh_view();
+        let given = read_loops(loops, loop_count)?;
+        let merged = |loops: Vec<Vec<u32>>| {
+            alloc::gather(loops.into_iter().map(|vertices| mesh::map_to_merged_vertices(&mesh, vertices)))
+        };
         let given = given.map(merged).transpose()?;
         let slices = given.as_ref().map(|loops| alloc::collect(loops.iter().map(Vec::as_slice))).transpose()?;
-        let numbers = given_options.groups(loops, loop_count)?;
+        let numbers = given_options.read_groups(loops, loop_count)?;
         let groups = match (&slices, &numbers) {
             (Some(loops), Some(numbers)) => alloc::collect(loops.iter().copied().zip(numbers.iter().copied()))?,
             _ => Vec::new(),
@@ -233,7 +234,7 @@ pub unsafe extern "C" fn gusset_fill(
         };
         let mut filled = fill_holes(&mesh, selection, &options, &job.part(0.1, 0.95))?;
         filled.keep_splits(&[&mesh], &job.part(0.95, 1.0))?;
-        Ok(gusset_result(Made::Fill(Fill::new(filled)?)))
+        Ok(gusset_result(OperationResult::Fill(FillResult::new(filled)?)))
     })
 }
 
@@ -246,5 +247,5 @@ pub unsafe extern "C" fn gusset_result_get_fill(
     result: *const gusset_result,
     report: *mut gusset_fill_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_fill", Made::Fill(fill) => fill.report())
+    report!(result, report, "gusset_fill", OperationResult::Fill(fill) => fill.fill_report())
 }

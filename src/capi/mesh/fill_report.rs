@@ -1,7 +1,7 @@
 //! Holes: reports: Outcomes of loops.
 
 use crate::capi::glue::{c_enum, fixed, versioned};
-use crate::capi::input::{Choice, lent};
+use crate::capi::input::{Choice, lend_list};
 use crate::capi::mesh::gusset_indices;
 use crate::error::Error;
 use crate::fill::{Filled, Finish, Hole, HoleStatus, Weight};
@@ -170,29 +170,31 @@ impl gusset_hole {
 }
 
 /// A mesh with filled holes, and the reports on its loops.
-pub(crate) struct Fill {
+pub(crate) struct FillResult {
     pub(crate) done: Filled,
     holes: Vec<gusset_hole>,
 }
 
-impl Fill {
+impl FillResult {
     pub(crate) fn new(done: Filled) -> Result<Self, Error> {
         let holes = alloc::collect(done.holes.iter().map(gusset_hole::new))?;
-        Ok(Fill { done, holes })
+        Ok(FillResult { done, holes })
     }
 
-    pub(crate) fn report(&self) -> gusset_fill_report {
-        let Fill { done, holes } = self;
+    pub(crate) fn fill_report(&self) -> gusset_fill_report {
+        let FillResult { done, holes } = self;
         gusset_fill_report {
             struct_size: size_of::<gusset_fill_report>(),
-            holes: lent(holes),
+            holes: lend_list(holes),
             hole_count: holes.len(),
-            rims: gusset_indices::lend(&done.rims),
-            parents: gusset_indices::lend(done.parents.as_flattened()),
-            weights: lent(done.weights.as_flattened()),
-            intersections: gusset_indices::lend(done.intersections.as_deref().unwrap_or_default().as_flattened()),
+            rims: gusset_indices::lend_indices(&done.rims),
+            parents: gusset_indices::lend_indices(done.parents.as_flattened()),
+            weights: lend_list(done.weights.as_flattened()),
+            intersections: gusset_indices::lend_indices(
+                done.intersections.as_deref().unwrap_or_default().as_flattened(),
+            ),
             intersections_known: u32::from(done.intersections.is_some()),
-            turned_outwards: gusset_indices::lend(&done.turned_outwards),
+            turned_outwards: gusset_indices::lend_indices(&done.turned_outwards),
             reserved: 0,
         }
     }

@@ -6,9 +6,9 @@ use crate::assemble::assemble;
 use crate::attributes::KeepSplits;
 use crate::capi::context::{create, gusset_context};
 use crate::capi::input;
-use crate::capi::mesh::join_options::{gusset_join_options, pairs};
-use crate::capi::mesh::join_report::{Join, gusset_join_report};
-use crate::capi::mesh::result::{Made, gusset_result, report};
+use crate::capi::mesh::join_options::{gusset_join_options, read_loop_pairs};
+use crate::capi::mesh::join_report::{JoinResult, gusset_join_report};
+use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::mesh::{self, GivenMesh, gusset_mesh_view};
 use crate::capi::status::gusset_status;
 use gusset_base::alloc;
@@ -48,11 +48,11 @@ pub unsafe extern "C" fn gusset_join(
     create(context, result, "result", |job| {
         let options = input::read(options, true, "options")?;
         let trim = input::read_nested(options.trim_options, "trim_options", Ok)?;
-        let viewpoints = trim.viewpoints().map_err(|failure| failure.with_field("trim_options"))?;
-        let mut given = pairs(options.pairs, options.pair_count, "pairs")?;
-        let mut excluded = pairs(options.excluded, options.excluded_count, "excluded")?;
-        let given_meshes = mesh::meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
-        let views = alloc::collect(given_meshes.iter().map(GivenMesh::view))?;
+        let viewpoints = trim.read_viewpoints().map_err(|failure| failure.with_field("trim_options"))?;
+        let mut given = read_loop_pairs(options.pairs, options.pair_count, "pairs")?;
+        let mut excluded = read_loop_pairs(options.excluded, options.excluded_count, "excluded")?;
+        let given_meshes = mesh::read_meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
+        let views = alloc::collect(given_meshes.iter().map(GivenMesh::mesh_view))?;
         for selector in given.iter_mut().chain(&mut excluded).flatten() {
             if let Some(view) = views.get(selector.piece as usize) {
                 selector.vertex = view.faces().merge_of(selector.vertex);
@@ -61,7 +61,7 @@ pub unsafe extern "C" fn gusset_join(
         let options = options.checked([&given, &excluded], trim, &viewpoints)?;
         let mut done = assemble(&views, &options, &job.part(0.1, 0.95))?;
         done.keep_splits(&alloc::gather(views.iter())?, &job.part(0.95, 1.0))?;
-        Ok(gusset_result(Made::Join(Join::new(done)?)))
+        Ok(gusset_result(OperationResult::Join(JoinResult::new(done)?)))
     })
 }
 
@@ -74,5 +74,5 @@ pub unsafe extern "C" fn gusset_result_get_join(
     result: *const gusset_result,
     report: *mut gusset_join_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_join", Made::Join(join) => join.report())
+    report!(result, report, "gusset_join", OperationResult::Join(join) => join.join_report())
 }

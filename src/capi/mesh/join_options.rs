@@ -5,7 +5,8 @@ use crate::capi::glue::{fixed, versioned};
 use crate::capi::input::{self, flag};
 use crate::capi::mesh::fill::gusset_fill_options;
 use crate::capi::mesh::stitch_options::{
-    GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP, gusset_orientation, gusset_outward, gusset_stitch_options, outward,
+    GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP, gusset_orientation, gusset_outward, gusset_stitch_options,
+    to_outward,
 };
 use crate::capi::mesh::trim::gusset_trim_options;
 use crate::capi::mesh::weld::gusset_weld_options;
@@ -120,14 +121,14 @@ versioned! { gusset_join_options: 104 }
 fixed! { gusset_loop_pair: 16 }
 
 /// Reads the caller's pairs.
-pub(crate) fn pairs(
+pub(crate) fn read_loop_pairs(
     data: *const gusset_loop_pair,
     count: usize,
     name: &'static str,
 ) -> Result<Vec<[Selector; 2]>, Failure> {
     Error::check_count(name, count as u64, MAX_ELEMENTS)?;
     let pair = |[p, q, v, w]: [u32; 4]| [Selector { piece: p, vertex: v }, Selector { piece: q, vertex: w }];
-    Ok(alloc::collect(input::items(data.cast(), count, name)?.map(pair))?)
+    Ok(alloc::collect(input::input_items(data.cast(), count, name)?.map(pair))?)
 }
 
 impl gusset_join_options {
@@ -142,22 +143,22 @@ impl gusset_join_options {
                 Some(input::read_nested(self.weld_options, "weld_options", gusset_weld_options::checked)?)
             }
             GUSSET_WELDING_NONE => None,
-            other => return Err(Failure::unknown("weld", other.into())),
+            other => return Err(Failure::unknown_value("weld", other.into())),
         };
         let keep_orientation = match self.orientation {
             GUSSET_ORIENTATION_FIX => false,
             GUSSET_ORIENTATION_KEEP => true,
-            other => return Err(Failure::unknown("orientation", other.into())),
+            other => return Err(Failure::unknown_value("orientation", other.into())),
         };
         let max_gap = match self.gap {
             GUSSET_GAP_AUTO => MaxGap::Auto,
             GUSSET_GAP_GIVEN => MaxGap::Given(self.max_gap),
-            other => return Err(Failure::unknown("gap", other.into())),
+            other => return Err(Failure::unknown_value("gap", other.into())),
         };
         let overlaps = match self.overlaps {
             GUSSET_OVERLAPS_KEEP => Overlaps::Keep,
             GUSSET_OVERLAPS_TRIM => Overlaps::Trim(trim.checked(viewpoints)),
-            other => return Err(Failure::unknown("overlaps", other.into())),
+            other => return Err(Failure::unknown_value("overlaps", other.into())),
         };
         let fill = input::read_nested(self.fill_options, "fill_options", gusset_fill_options::checked)?;
         Ok(Options {
@@ -165,7 +166,7 @@ impl gusset_join_options {
             weld,
             edge_to_edge: self.weld == GUSSET_WELDING_EDGE_TO_EDGE,
             keep_orientation,
-            outward: outward(self.outward, Outward::Closed)?,
+            outward: to_outward(self.outward, Outward::Closed)?,
             max_gap,
             whole_loops_only: flag(self.whole_loops_only, "whole_loops_only")?,
             within_components: flag(self.within_components, "within_components")?,

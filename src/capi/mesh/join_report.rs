@@ -2,7 +2,7 @@
 
 use crate::assemble::{Assembly, Joint, LeftLoop, Outcome, Reason};
 use crate::capi::glue::{c_enum, fixed, versioned};
-use crate::capi::input::{Choice, lent};
+use crate::capi::input::{Choice, lend_list};
 use crate::capi::mesh::fill_report::gusset_hole;
 use crate::capi::mesh::gusset_indices;
 use crate::capi::mesh::stitch_options::gusset_finish;
@@ -175,7 +175,7 @@ pub struct gusset_join_report {
 }
 
 /// Joined pieces, and the reports on them.
-pub(crate) struct Join {
+pub(crate) struct JoinResult {
     pub(crate) done: Assembly,
     pieces: Vec<gusset_piece_map>,
     joints: Vec<gusset_joint>,
@@ -209,27 +209,29 @@ c_enum! {
     }
 }
 
-impl Join {
+impl JoinResult {
     pub(crate) fn new(done: Assembly) -> Result<Self, Error> {
         let map = |map: &IndexMap| gusset_piece_map {
-            vertices: gusset_indices::lend(&map.vertices),
-            faces: gusset_indices::lend(&map.faces),
+            vertices: gusset_indices::lend_indices(&map.vertices),
+            faces: gusset_indices::lend_indices(&map.faces),
         };
         let joint = |joint: &Joint| gusset_joint {
-            side: joint.sides.each_ref().map(|side| gusset_indices::lend(side)),
+            side: joint.sides.each_ref().map(|side| gusset_indices::lend_indices(side)),
             gap: joint.gap,
             vertex_first: joint.vertices.start as usize,
             vertex_count: joint.vertices.len(),
             face_first: joint.faces.start as usize,
             face_count: joint.faces.len(),
-            intersections: gusset_indices::lend(joint.intersections.as_deref().unwrap_or_default().as_flattened()),
+            intersections: gusset_indices::lend_indices(
+                joint.intersections.as_deref().unwrap_or_default().as_flattened(),
+            ),
             intersections_known: joint.intersections.is_some().into(),
             outcome: joint.outcome.number(),
             whole: joint.whole.into(),
             finish: joint.finish.number(),
         };
         let left = |left: &LeftLoop| gusset_left_loop {
-            vertices: gusset_indices::lend(&left.vertices),
+            vertices: gusset_indices::lend_indices(&left.vertices),
             gap: left.gap,
             allowed_gap: left.allowed_gap,
             reason: left.reason.number(),
@@ -237,7 +239,7 @@ impl Join {
         };
         let turned = alloc::gather((0u32..).zip(&done.turned).filter(|&(_, &turned)| turned).map(|(f, _)| f))?;
         // The lists behind these pointers lie on the heap and do not move.
-        Ok(Join {
+        Ok(JoinResult {
             pieces: alloc::collect(done.maps.iter().map(map))?,
             joints: alloc::collect(done.joints.iter().map(joint))?,
             left: alloc::collect(done.left.iter().map(left))?,
@@ -247,21 +249,21 @@ impl Join {
         })
     }
 
-    pub(crate) fn report(&self) -> gusset_join_report {
+    pub(crate) fn join_report(&self) -> gusset_join_report {
         gusset_join_report {
             struct_size: size_of::<gusset_join_report>(),
-            pieces: lent(&self.pieces),
+            pieces: lend_list(&self.pieces),
             piece_count: self.pieces.len(),
-            joints: lent(&self.joints),
+            joints: lend_list(&self.joints),
             joint_count: self.joints.len(),
-            left: lent(&self.left),
+            left: lend_list(&self.left),
             left_count: self.left.len(),
-            holes: lent(&self.holes),
+            holes: lend_list(&self.holes),
             hole_count: self.holes.len(),
-            hole_rims: gusset_indices::lend(&self.done.hole_rims),
-            turned: gusset_indices::lend(&self.turned),
-            one_sided: gusset_indices::lend(&self.done.one_sided),
-            zero_volume: gusset_indices::lend(&self.done.zero_volume),
+            hole_rims: gusset_indices::lend_indices(&self.done.hole_rims),
+            turned: gusset_indices::lend_indices(&self.turned),
+            one_sided: gusset_indices::lend_indices(&self.done.one_sided),
+            zero_volume: gusset_indices::lend_indices(&self.done.zero_volume),
             welded_vertices: self.done.welded_vertices,
             sewn_edges: self.done.sewn_edges,
             loops_left: self.done.loops_left,

@@ -5,9 +5,9 @@
 use crate::attributes::KeepSplits;
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
-use crate::capi::input::{self, lent};
-use crate::capi::mesh::result::{Made, gusset_result, report};
-use crate::capi::mesh::stitch_options::{gusset_outward, outward};
+use crate::capi::input::{self, lend_list};
+use crate::capi::mesh::result::{OperationResult, gusset_result, report};
+use crate::capi::mesh::stitch_options::{gusset_outward, to_outward};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::gusset_status;
 use crate::repair::orient::{Options, Outward, orient};
@@ -70,16 +70,16 @@ pub unsafe extern "C" fn gusset_orient(
     result: *mut *mut gusset_result,
 ) -> gusset_status {
     create(context, result, "result", |job| {
-        let options = Options { outward: outward(input::read(options, true, "options")?.outward, Outward::Keep)? };
+        let options = Options { outward: to_outward(input::read(options, true, "options")?.outward, Outward::Keep)? };
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         let mut done = self::orient(&mesh, &options, &job.part(0.2, 0.9))?;
         done.keep_splits(&[&mesh], &job.part(0.9, 1.0))?;
         let one_sided = [
             alloc::collect(done.one_sided.iter().map(|found| found.face))?,
             alloc::collect(done.one_sided.iter().map(|found| found.half_edge))?,
         ];
-        Ok(gusset_result(Made::Orient(done, one_sided)))
+        Ok(gusset_result(OperationResult::Orient(done, one_sided)))
     })
 }
 
@@ -92,13 +92,13 @@ pub unsafe extern "C" fn gusset_result_get_orient(
     result: *const gusset_result,
     report: *mut gusset_orient_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_orient", Made::Orient(done, one_sided) => gusset_orient_report {
+    report!(result, report, "gusset_orient", OperationResult::Orient(done, one_sided) => gusset_orient_report {
         struct_size: size_of::<gusset_orient_report>(),
         // A bool is one byte, 0 or 1.
-        turned: lent(&done.turned).cast(),
+        turned: lend_list(&done.turned).cast(),
         face_count: done.turned.len(),
-        one_sided_faces: gusset_indices::lend(&one_sided[0]),
-        one_sided_half_edges: gusset_indices::lend(&one_sided[1]),
+        one_sided_faces: gusset_indices::lend_indices(&one_sided[0]),
+        one_sided_half_edges: gusset_indices::lend_indices(&one_sided[1]),
         turned_faces: done.turned_faces,
         component_count: done.components,
         inverted_components: done.inverted_components,

@@ -4,7 +4,7 @@ use crate::attributes::{Domain, Origins};
 use crate::capi::context::lend;
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{choice, lent};
+use crate::capi::input::{choice, lend_list};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::status::gusset_status;
 
@@ -75,10 +75,10 @@ pub unsafe extern "C" fn gusset_origins_get_view(
         let table = of.table(domain);
         gusset_origins_view {
             struct_size: 0,
-            offsets: gusset_indices::lend(table.offsets()),
-            sources: gusset_indices::lend(table.source_indices()),
-            weights: lent(table.weights()),
-            starts: gusset_indices::lend(of.starts(domain)),
+            offsets: gusset_indices::lend_indices(table.offsets()),
+            sources: gusset_indices::lend_indices(table.source_indices()),
+            weights: lend_list(table.weights()),
+            starts: gusset_indices::lend_indices(of.starts(domain)),
         }
     })
 }

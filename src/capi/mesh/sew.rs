@@ -4,7 +4,7 @@ use crate::attributes::KeepSplits;
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::input;
-use crate::capi::mesh::result::{Made, gusset_result, report};
+use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::mesh::weld::gusset_weld_options;
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::gusset_status;
@@ -69,10 +69,10 @@ pub unsafe extern "C" fn gusset_sew(
     create(context, result, "result", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         let mut done = self::sew(&mesh, &options, &job.part(0.1, 0.9))?;
         done.keep_splits(&[&mesh], &job.part(0.9, 1.0))?;
-        Ok(gusset_result(Made::Sew(done)))
+        Ok(gusset_result(OperationResult::Sew(done)))
     })
 }
 
@@ -85,12 +85,12 @@ pub unsafe extern "C" fn gusset_result_get_sew(
     result: *const gusset_result,
     report: *mut gusset_sew_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_sew", Made::Sew(done) => gusset_sew_report {
+    report!(result, report, "gusset_sew", OperationResult::Sew(done) => gusset_sew_report {
         struct_size: size_of::<gusset_sew_report>(),
-        vertex_map: gusset_indices::lend(&done.vertex_map),
-        face_map: gusset_indices::lend(&done.face_map),
-        face_origin: gusset_indices::lend(&done.face_origin),
-        left_vertices: gusset_indices::lend(&done.left_vertices),
+        vertex_map: gusset_indices::lend_indices(&done.vertex_map),
+        face_map: gusset_indices::lend_indices(&done.face_map),
+        face_origin: gusset_indices::lend_indices(&done.face_origin),
+        left_vertices: gusset_indices::lend_indices(&done.left_vertices),
         welded_vertices: done.welded_vertices,
         sewn_edges: done.sewn_edges,
         splits: done.splits,

@@ -6,8 +6,8 @@
 use crate::attributes::KeepSplits;
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
-use crate::capi::input::{self, Choice, lent};
-use crate::capi::mesh::result::{Made, gusset_result, report};
+use crate::capi::input::{self, Choice, lend_list};
+use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::mesh::stitch_options::{gusset_finish, gusset_stitch_options};
 use crate::capi::mesh::{self, GivenMesh, gusset_indices, gusset_mesh_view};
 use crate::capi::status::gusset_status;
@@ -115,15 +115,15 @@ pub unsafe extern "C" fn gusset_stitch(
         let options = input::read(options, true, "options")?.checked()?;
         let given_a = mesh::mesh(mesh_a, 0, &job.part(0.0, 0.1))?;
         let given_b = (!mesh_b.is_null()).then(|| mesh::mesh(mesh_b, 1, &job.part(0.1, 0.2))).transpose()?;
-        let (a, b) = (given_a.view(), given_b.as_ref().map(GivenMesh::view));
-        let loop_a = mesh::indices(loop_a, "loop_a")?.map(|vertices| mesh::merged(&a, vertices));
-        let loop_b = mesh::indices(loop_b, "loop_b").map_err(|failure| failure.with_input(1))?;
-        let loop_b = loop_b.map(|vertices| mesh::merged(b.as_ref().unwrap_or(&a), vertices));
+        let (a, b) = (given_a.mesh_view(), given_b.as_ref().map(GivenMesh::mesh_view));
+        let loop_a = mesh::read_indices(loop_a, "loop_a")?.map(|vertices| mesh::map_to_merged_vertices(&a, vertices));
+        let loop_b = mesh::read_indices(loop_b, "loop_b").map_err(|failure| failure.with_input(1))?;
+        let loop_b = loop_b.map(|vertices| mesh::map_to_merged_vertices(b.as_ref().unwrap_or(&a), vertices));
         let request = Request { a: &a, loop_a: loop_a.as_deref(), b: b.as_ref(), loop_b: loop_b.as_deref() };
         let mut done = self::stitch(&request, &options, &job.part(0.2, 0.95))?;
         let inputs = [Some(&a), b.as_ref()];
         done.keep_splits(&alloc::gather(inputs.into_iter().flatten())?, &job.part(0.95, 1.0))?;
-        Ok(gusset_result(Made::Stitch(done)))
+        Ok(gusset_result(OperationResult::Stitch(done)))
     })
 }
 
@@ -136,7 +136,7 @@ pub unsafe extern "C" fn gusset_result_get_strip_mesh(
     result: *const gusset_result,
     view: *mut gusset_mesh_view,
 ) -> gusset_status {
-    report!(result, view, "gusset_stitch", Made::Stitch(done) => mesh::lend(&done.strip))
+    report!(result, view, "gusset_stitch", OperationResult::Stitch(done) => mesh::lend_mesh(&done.strip))
 }
 
 /// Lends the report of a stitch.
@@ -148,24 +148,24 @@ pub unsafe extern "C" fn gusset_result_get_stitch(
     result: *const gusset_result,
     report: *mut gusset_stitch_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_stitch", Made::Stitch(done) => gusset_stitch_report {
+    report!(result, report, "gusset_stitch", OperationResult::Stitch(done) => gusset_stitch_report {
         struct_size: size_of::<gusset_stitch_report>(),
-        vertex_map: done.maps.each_ref().map(|map| gusset_indices::lend(&map.vertices)),
-        face_map: done.maps.each_ref().map(|map| gusset_indices::lend(&map.faces)),
-        rim: done.rims.each_ref().map(|rim| gusset_indices::lend(rim)),
-        meridians: gusset_indices::lend(done.meridians.as_flattened()),
-        matrix: gusset_indices::lend(&done.matrix),
-        parents: gusset_indices::lend(done.parents.as_flattened()),
-        weights: lent(done.weights.as_flattened()),
+        vertex_map: done.maps.each_ref().map(|map| gusset_indices::lend_indices(&map.vertices)),
+        face_map: done.maps.each_ref().map(|map| gusset_indices::lend_indices(&map.faces)),
+        rim: done.rims.each_ref().map(|rim| gusset_indices::lend_indices(rim)),
+        meridians: gusset_indices::lend_indices(done.meridians.as_flattened()),
+        matrix: gusset_indices::lend_indices(&done.matrix),
+        parents: gusset_indices::lend_indices(done.parents.as_flattened()),
+        weights: lend_list(done.weights.as_flattened()),
         strip_face_first: done.strip_faces.start as usize,
         strip_face_count: done.strip_faces.len(),
         row_count: done.rows,
         closed: done.closed.into(),
         turned: done.turned.into(),
         intersections_known: done.intersections.is_some().into(),
-        intersections: gusset_indices::lend(done.intersections.as_deref().unwrap_or_default().as_flattened()),
+        intersections: gusset_indices::lend_indices(done.intersections.as_deref().unwrap_or_default().as_flattened()),
         back_off_count: done.back_offs,
         finish: done.finish.number(),
-        turned_outwards: gusset_indices::lend(&done.turned_outwards),
+        turned_outwards: gusset_indices::lend_indices(&done.turned_outwards),
     })
 }

@@ -258,9 +258,9 @@ impl gusset_stitch_options {
             GUSSET_EXTENT_ARCS => Extent::Arcs(
                 [self.arc_a, self.arc_b].map(|[first, count]| Arc { first: first as usize, count: count as usize }),
             ),
-            other => return Err(Failure::unknown("extent", other.into())),
+            other => return Err(Failure::unknown_value("extent", other.into())),
         };
-        let rows = rows(self.rows, self.row_count)?;
+        let rows = to_rows(self.rows, self.row_count)?;
         Ok(Options {
             meridians: choice(self.meridians)?,
             search: choice(self.search)?,
@@ -269,44 +269,44 @@ impl gusset_stitch_options {
             twist: self.twist,
             extent,
             run: choice(self.run)?,
-            tolerance: tolerance(self.tolerance_mode, self.tolerance)?,
+            tolerance: to_tolerance(self.tolerance_mode, self.tolerance)?,
             centres: choice(self.centres)?,
             rows,
             cells: choice(self.cells)?,
             fairing: choice(self.fairing)?,
             finish: choice(self.finish)?,
             intersections: choice(self.intersections)?,
-            outward: outward(self.outward, Outward::Keep)?,
+            outward: to_outward(self.outward, Outward::Keep)?,
         })
     }
 }
 
 /// Returns the orientation of closed components, `default` if the caller leaves it open.
-pub(crate) fn outward(given: gusset_outward, default: Outward) -> Result<Outward, Failure> {
+pub(crate) fn to_outward(given: gusset_outward, default: Outward) -> Result<Outward, Failure> {
     match given {
         GUSSET_OUTWARD_AUTO => Ok(default),
         GUSSET_OUTWARD_KEEP => Ok(Outward::Keep),
         GUSSET_OUTWARD_CLOSED => Ok(Outward::Closed),
-        other => Err(Failure::unknown("outward", other.into())),
+        other => Err(Failure::unknown_value("outward", other.into())),
     }
 }
 
 /// Returns the inner rows for a mode.
-pub(crate) fn rows(mode: u32, count: u32) -> Result<Rows, Failure> {
+pub(crate) fn to_rows(mode: u32, count: u32) -> Result<Rows, Failure> {
     match mode {
         GUSSET_ROWS_NONE => Ok(Rows::None),
         GUSSET_ROWS_MEAN_EDGE => Ok(Rows::MeanEdge),
         GUSSET_ROWS_COUNT => Ok(Rows::Count(count)),
-        other => Err(Failure::unknown("rows", other.into())),
+        other => Err(Failure::unknown_value("rows", other.into())),
     }
 }
 
 /// Returns the tolerance for a mode, if one is given.
-pub(crate) fn tolerance(mode: u32, given: f64) -> Result<Option<f64>, Failure> {
+pub(crate) fn to_tolerance(mode: u32, given: f64) -> Result<Option<f64>, Failure> {
     match mode {
         GUSSET_TOLERANCE_AUTO => Ok(None),
         GUSSET_TOLERANCE_GIVEN => Ok(Some(given)),
         GUSSET_TOLERANCE_EXACT => Ok(Some(0.0)),
-        other => Err(Failure::unknown("tolerance_mode", other.into())),
+        other => Err(Failure::unknown_value("tolerance_mode", other.into())),
     }
 }

@@ -4,13 +4,13 @@
 
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
-use crate::capi::input::{self, choice, flag, lent};
-use crate::capi::mesh::facing::points;
+use crate::capi::input::{self, choice, flag, lend_list};
+use crate::capi::mesh::facing::read_loop_points;
 use crate::capi::mesh::gusset_indices;
-use crate::capi::mesh::result::{Made, gusset_result, report};
+use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::mesh::stitch_options::{
     GUSSET_START_AUTO, GUSSET_START_CLOSEST, GUSSET_START_GIVEN, gusset_meridians, gusset_row_rule, gusset_strip_cells,
-    gusset_strip_search, gusset_strip_start, rows,
+    gusset_strip_search, gusset_strip_start, to_rows,
 };
 use crate::capi::status::{Failure, gusset_status};
 use crate::stitch::{RuledOptions, Start, ruled};
@@ -76,11 +76,11 @@ impl gusset_strip_options {
             GUSSET_START_AUTO => Some(Start::Auto),
             GUSSET_START_CLOSEST => Some(Start::Closest),
             GUSSET_START_GIVEN => None,
-            other => return Err(Failure::unknown("start", other.into())),
+            other => return Err(Failure::unknown_value("start", other.into())),
         };
         let closed = flag(self.closed, "closed")?;
         let (meridians, search) = (choice(self.meridians)?, choice(self.search)?);
-        let (rows, cells) = (rows(self.rows, self.row_count)?, choice(self.cells)?);
+        let (rows, cells) = (to_rows(self.rows, self.row_count)?, choice(self.cells)?);
         Ok((closed, RuledOptions { meridians, search, start, rows, cells }))
     }
 }
@@ -110,9 +110,9 @@ pub unsafe extern "C" fn gusset_strip(
 ) -> gusset_status {
     create(context, result, "result", |job| {
         let (closed, options) = input::read(options, true, "options")?.checked()?;
-        let a = points(points_a, count_a, "points_a")?;
-        let b = points(points_b, count_b, "points_b").map_err(|failure| failure.with_input(1))?;
-        Ok(gusset_result(Made::Strip(ruled(&a, &b, closed, &options, job)?)))
+        let a = read_loop_points(points_a, count_a, "points_a")?;
+        let b = read_loop_points(points_b, count_b, "points_b").map_err(|failure| failure.with_input(1))?;
+        Ok(gusset_result(OperationResult::Strip(ruled(&a, &b, closed, &options, job)?)))
     })
 }
 
@@ -125,13 +125,13 @@ pub unsafe extern "C" fn gusset_result_get_strip(
     result: *const gusset_result,
     report: *mut gusset_strip_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_strip", Made::Strip(done) => gusset_strip_report {
+    report!(result, report, "gusset_strip", OperationResult::Strip(done) => gusset_strip_report {
         struct_size: size_of::<gusset_strip_report>(),
         start: done.start,
-        meridians: gusset_indices::lend(done.meridians.as_flattened()),
-        matrix: gusset_indices::lend(&done.matrix),
-        parents: gusset_indices::lend(done.parents.as_flattened()),
-        weights: lent(&done.weights),
+        meridians: gusset_indices::lend_indices(done.meridians.as_flattened()),
+        matrix: gusset_indices::lend_indices(&done.matrix),
+        parents: gusset_indices::lend_indices(done.parents.as_flattened()),
+        weights: lend_list(&done.weights),
         row_count: done.rows,
         reserved: 0,
     })

@@ -75,7 +75,7 @@ versioned! { gusset_trim_options: 48 reserved, gusset_trim_view: 32 }
 fixed! { gusset_trimmed_piece: 24 }
 
 impl gusset_trim_options {
-    /// Converts the options; `viewpoints` come from [`gusset_trim_options::viewpoints`].
+    /// Converts the options; `viewpoints` come from [`gusset_trim_options::read_viewpoints`].
     pub(crate) fn checked(self, viewpoints: &[DVec3]) -> Options<'_> {
         Options {
             max_distance: (self.max_distance != 0.0).then_some(self.max_distance),
@@ -85,8 +85,8 @@ impl gusset_trim_options {
         }
     }
 
-    pub(crate) fn viewpoints(&self) -> Result<Vec<DVec3>, Failure> {
-        let given = input::items(self.viewpoints.cast::<[f64; 3]>(), self.viewpoint_count, "viewpoints")?;
+    pub(crate) fn read_viewpoints(&self) -> Result<Vec<DVec3>, Failure> {
+        let given = input::input_items(self.viewpoints.cast::<[f64; 3]>(), self.viewpoint_count, "viewpoints")?;
         Ok(alloc::collect(given.map(DVec3::from_array))?)
     }
 }
@@ -118,13 +118,13 @@ pub unsafe extern "C" fn gusset_trim_create(
 ) -> gusset_status {
     create(context, trim, "trim", |job| {
         let options = input::read(options, true, "options")?;
-        let viewpoints = options.viewpoints()?;
-        let given_meshes = mesh::meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
-        let views = alloc::collect(given_meshes.iter().map(GivenMesh::view))?;
+        let viewpoints = options.read_viewpoints()?;
+        let given_meshes = mesh::read_meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
+        let views = alloc::collect(given_meshes.iter().map(GivenMesh::mesh_view))?;
         let done = self::trim(&views, &options.checked(&viewpoints), &job.part(0.1, 1.0))?;
         // The lists behind these pointers lie on the heap and do not move.
         let pieces = done.kept.iter().zip(&done.covered).map(|(kept, &covered)| gusset_trimmed_piece {
-            kept: gusset_indices::lend(kept),
+            kept: gusset_indices::lend_indices(kept),
             covered_vertices: covered as usize,
         });
         Ok(gusset_trim { pieces: alloc::collect(pieces)?, done })
@@ -143,7 +143,7 @@ pub unsafe extern "C" fn gusset_trim_destroy(trim: *mut gusset_trim) {
 pub unsafe extern "C" fn gusset_trim_get_view(trim: *const gusset_trim, view: *mut gusset_trim_view) -> gusset_status {
     lend!(trim, view, |trim| gusset_trim_view {
         struct_size: size_of::<gusset_trim_view>(),
-        pieces: input::lent(&trim.pieces),
+        pieces: input::lend_list(&trim.pieces),
         piece_count: trim.pieces.len(),
         crossings: trim.done.crossings,
         reserved: 0,

@@ -4,8 +4,8 @@ use crate::attributes::KeepSplits;
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::input::{self, choice, flag};
-use crate::capi::mesh::result::{Made, gusset_result, report};
-use crate::capi::mesh::stitch_options::{gusset_tolerance_mode, tolerance};
+use crate::capi::mesh::result::{OperationResult, gusset_result, report};
+use crate::capi::mesh::stitch_options::{gusset_tolerance_mode, to_tolerance};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::{Failure, gusset_status};
 use crate::repair::weld::{Options, Vertices, weld};
@@ -93,7 +93,7 @@ impl gusset_weld_options {
     pub(crate) fn checked(self) -> Result<Options, Failure> {
         Ok(Options {
             vertices: choice(self.vertices)?,
-            tolerance: tolerance(self.tolerance_mode, self.tolerance)?,
+            tolerance: to_tolerance(self.tolerance_mode, self.tolerance)?,
             collapse: flag(self.collapse, "collapse")?,
             remove_unused: flag(self.unused, "unused")?,
         })
@@ -126,10 +126,10 @@ pub unsafe extern "C" fn gusset_weld(
     create(context, result, "result", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         let mut done = self::weld(&mesh, &options, &job.part(0.1, 0.9))?;
         done.keep_splits(&[&mesh], &job.part(0.9, 1.0))?;
-        Ok(gusset_result(Made::Weld(done)))
+        Ok(gusset_result(OperationResult::Weld(done)))
     })
 }
 
@@ -142,12 +142,12 @@ pub unsafe extern "C" fn gusset_result_get_weld(
     result: *const gusset_result,
     report: *mut gusset_weld_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_weld", Made::Weld(done) => gusset_weld_report {
+    report!(result, report, "gusset_weld", OperationResult::Weld(done) => gusset_weld_report {
         struct_size: size_of::<gusset_weld_report>(),
-        vertex_map: gusset_indices::lend(&done.vertex_map),
-        face_map: gusset_indices::lend(&done.face_map),
-        left_edges: gusset_indices::lend(&done.left_edges),
-        left_vertices: gusset_indices::lend(&done.left_vertices),
+        vertex_map: gusset_indices::lend_indices(&done.vertex_map),
+        face_map: gusset_indices::lend_indices(&done.face_map),
+        left_edges: gusset_indices::lend_indices(&done.left_edges),
+        left_vertices: gusset_indices::lend_indices(&done.left_vertices),
         welded_vertices: done.welded_vertices,
         sewn_edges: done.sewn_edges,
         dropped_faces: done.dropped_faces,

@@ -3,17 +3,17 @@
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, lent};
-use crate::capi::net::field::{Given, fields, gusset_field};
-use crate::capi::net::{gusset_net, read};
+use crate::capi::input::{self, lend_list};
+use crate::capi::net::field::{GivenField, gusset_field, read_fields};
+use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Result;
-use crate::net::analyse::{Analysis, analyse, analyse_field};
+use crate::net::analyse::{DeformationAnalysis, analyse, analyse_field};
 use gusset_base::alloc;
 
 /// Effects of a deformation on a net.
 pub struct gusset_net_analysis {
-    analysis: Analysis,
+    analysis: DeformationAnalysis,
     contracted: Vec<u32>,
     stars: Vec<u32>,
 }
@@ -21,7 +21,7 @@ pub struct gusset_net_analysis {
 handle! { gusset_net_analysis }
 
 impl gusset_net_analysis {
-    fn new(analysis: Analysis) -> Result<Self> {
+    fn new(analysis: DeformationAnalysis) -> Result<Self> {
         let contracted = alloc::collect(analysis.contracted.iter().map(|found| found.link))?;
         let stars = alloc::collect(analysis.contracted.iter().map(|found| found.star.number() as u32))?;
         Ok(gusset_net_analysis { analysis, contracted, stars })
@@ -117,14 +117,14 @@ pub unsafe extern "C" fn gusset_net_analysis_create(
 ) -> gusset_status {
     create(context, analysis, "analysis", |job| {
         let options = input::read(options, true, "options")?;
-        let given = fields(options.fields, options.field_count, options.time)?;
+        let given = read_fields(options.fields, options.field_count, options.time)?;
         let found = if options.after.is_null() {
-            let steps = alloc::collect(given.iter().map(Given::step))?;
-            analyse_field(read(net)?, &steps, options.tolerance, job)?
+            let steps = alloc::collect(given.iter().map(GivenField::to_step))?;
+            analyse_field(net_of_handle(net)?, &steps, options.tolerance, job)?
         } else if given.is_empty() {
-            analyse(read(net)?, read(options.after)?, options.tolerance, job)?
+            analyse(net_of_handle(net)?, net_of_handle(options.after)?, options.tolerance, job)?
         } else {
-            return Err(Failure::unknown("field_count, beside after,", options.field_count as u64));
+            return Err(Failure::unknown_value("field_count, beside after,", options.field_count as u64));
         };
         Ok(gusset_net_analysis::new(found)?)
     })
@@ -138,20 +138,20 @@ pub unsafe extern "C" fn gusset_net_analysis_get_view(
     view: *mut gusset_net_analysis_view,
 ) -> gusset_status {
     lend!(analysis, view, |gusset_net_analysis { analysis, contracted, stars }| {
-        let Analysis { links, cells, determinants, torn, folded, .. } = analysis;
+        let DeformationAnalysis { links, cells, determinants, torn, folded, .. } = analysis;
         gusset_net_analysis_view {
             struct_size: 0,
-            links: lent(links),
+            links: lend_list(links),
             link_count: links.len(),
-            cells: lent(cells),
-            determinants: lent(determinants),
+            cells: lend_list(cells),
+            determinants: lend_list(determinants),
             cell_count: cells.len(),
-            contracted: lent(contracted),
-            stars: lent(stars),
+            contracted: lend_list(contracted),
+            stars: lend_list(stars),
             contracted_count: contracted.len(),
-            torn: lent(torn),
+            torn: lend_list(torn),
             torn_count: torn.len(),
-            folded: lent(folded),
+            folded: lend_list(folded),
             folded_count: folded.len(),
             soft: analysis.is_soft().into(),
             reserved: 0,

@@ -5,9 +5,9 @@ use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle;
 use crate::capi::input::{self, choice, flag};
 use crate::capi::mesh::gusset_scalar;
-use crate::capi::net::{edit, gusset_net};
+use crate::capi::net::{gusset_net, net_of_handle_mut};
 use crate::capi::status::{Failure, gusset_status};
-use crate::net::{CopyOptions, Direction, Replication, Shape, Turn};
+use crate::net::{CopyOptions, Direction, GridSymmetry, Replication, Shape};
 
 /// Direction within a net.
 pub type gusset_direction = u32;
@@ -97,7 +97,7 @@ versioned! { gusset_net_copy_options: 88 reserved }
 
 c_enum! {
     direction: Direction { GUSSET_DIRECTION_RIGHT => Right, GUSSET_DIRECTION_DOWN => Down }
-    turn: Turn {
+    turn: GridSymmetry {
         GUSSET_NET_TURN_NONE => None,
         GUSSET_NET_TURN_QUARTER => Quarter,
         GUSSET_NET_TURN_HALF => Half,
@@ -110,14 +110,14 @@ c_enum! {
 }
 
 /// Converts the rows or columns that the caller replicates.
-pub(crate) fn replication(value: gusset_replication, index: u32) -> Result<Replication, Failure> {
+pub(crate) fn to_replication(value: gusset_replication, index: u32) -> Result<Replication, Failure> {
     match value {
         GUSSET_REPLICATE_UNIFORM => Ok(Replication::Uniform),
         GUSSET_REPLICATE_FIRST => Ok(Replication::First),
         GUSSET_REPLICATE_LAST => Ok(Replication::Last),
         GUSSET_REPLICATE_AT => Ok(Replication::At(index)),
         GUSSET_REPLICATE_AT_POLES => Ok(Replication::AtPoles),
-        other => Err(Failure::unknown("replication", other.into())),
+        other => Err(Failure::unknown_value("replication", other.into())),
     }
 }
 
@@ -136,8 +136,8 @@ impl gusset_net_copy_options {
             rows: (self.rows != 0).then_some(self.rows),
             columns: (self.columns != 0).then_some(self.columns),
             replication: [
-                replication(self.row_replication, self.row_index)?,
-                replication(self.column_replication, self.column_index)?,
+                to_replication(self.row_replication, self.row_index)?,
+                to_replication(self.column_replication, self.column_index)?,
             ],
             turn: choice(self.turn)?,
             scalar: if self.scalar == 0 { None } else { Some(choice(self.scalar)?) },
@@ -165,11 +165,11 @@ pub unsafe extern "C" fn gusset_net_copy_create(
     copy: *mut *mut gusset_net,
 ) -> gusset_status {
     create(context, copy, "copy", |job| {
-        let (handle, options) = (handle::get(net, "net")?, input::read(options, true, "options")?);
+        let (handle, options) = (handle::get_object(net, "net")?, input::read(options, true, "options")?);
         let net = handle.net();
         match net.changed_copy(&options.checked(net.shape())?, job)? {
             Some(changed) => Ok(gusset_net::new(changed)),
-            None => Ok(gusset_net::from_shared(handle.share()?)),
+            None => Ok(gusset_net::from_shared(handle.share_net()?)),
         }
     })
 }
@@ -186,7 +186,7 @@ pub unsafe extern "C" fn gusset_net_clear_no_data(
     value: f64,
 ) -> gusset_status {
     guard_change(context, |job| {
-        edit(net, job)?.clear_no_data(value);
+        net_of_handle_mut(net, job)?.clear_no_data(value);
         Ok(())
     })
 }

@@ -4,7 +4,7 @@ use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
 use crate::capi::mesh::gusset_indices;
-use crate::capi::net::{gusset_net, read};
+use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::{Failure, gusset_status};
 use crate::net::complex::Complex;
 
@@ -100,11 +100,11 @@ pub unsafe extern "C" fn gusset_net_complex_create(
     quotient: *mut *mut gusset_net_complex,
 ) -> gusset_status {
     create(context, quotient, "quotient", |job| {
-        let net = read(net)?;
+        let net = net_of_handle(net)?;
         Ok(gusset_net_complex(match cells {
             GUSSET_NET_CELLS_ALL => Complex::from_topology(net.topology(), job)?,
             GUSSET_NET_CELLS_PRESENT => Complex::from_net(net, job)?,
-            other => return Err(Failure::unknown("cells", other.into())),
+            other => return Err(Failure::unknown_value("cells", other.into())),
         }))
     })
 }
@@ -136,13 +136,13 @@ pub unsafe extern "C" fn gusset_net_complex_get_view(
                 | bit(c.conflicts.is_empty(), GUSSET_NET_ORIENTED)
                 | bit(c.orientable, GUSSET_NET_ORIENTABLE),
             reserved: 0,
-            boundary_offsets: gusset_indices::lend(c.boundary.offsets()),
-            boundary_nodes: gusset_indices::lend(c.boundary.nodes()),
-            boundary_open: gusset_indices::lend(c.boundary.open()),
-            wires: gusset_indices::lend(c.wires.as_flattened()),
-            branches: gusset_indices::lend(c.branches.as_flattened()),
-            pinches: gusset_indices::lend(&c.pinches),
-            conflicts: gusset_indices::lend(c.conflicts.as_flattened()),
+            boundary_offsets: gusset_indices::lend_indices(c.boundary.offsets()),
+            boundary_nodes: gusset_indices::lend_indices(c.boundary.nodes()),
+            boundary_open: gusset_indices::lend_indices(c.boundary.open_chains()),
+            wires: gusset_indices::lend_indices(c.wires.as_flattened()),
+            branches: gusset_indices::lend_indices(c.branches.as_flattened()),
+            pinches: gusset_indices::lend_indices(&c.pinches),
+            conflicts: gusset_indices::lend_indices(c.conflicts.as_flattened()),
         }
     })
 }

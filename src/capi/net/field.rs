@@ -3,8 +3,8 @@
 use crate::capi::context::{guard_change, gusset_context};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::input::{self, choice};
-use crate::capi::net::transform::{gusset_axis, matrix, vector};
-use crate::capi::net::{edit, gusset_net};
+use crate::capi::net::transform::{affine_from_numbers, first_three_numbers, gusset_axis};
+use crate::capi::net::{gusset_net, net_of_handle_mut};
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Error;
 use crate::mesh::MAX_ELEMENTS;
@@ -115,33 +115,37 @@ pub struct gusset_field {
 versioned! { gusset_field: 200 reserved }
 
 /// A field of the caller, and its current strength.
-pub(crate) struct Given {
+pub(crate) struct GivenField {
     field: Box<dyn Field>,
     strength: f64,
 }
 
-impl Given {
-    pub(crate) fn step(&self) -> Step<'_> {
-        Step { field: &*self.field, strength: self.strength }
+impl GivenField {
+    pub(crate) fn to_step(&self) -> DeformationStep<'_> {
+        DeformationStep { field: &*self.field, strength: self.strength }
     }
 }
 
 /// Reads the caller's fields at a time.
-pub(crate) fn fields(fields: *const gusset_field, count: usize, time: f64) -> Result<Vec<Given>, Failure> {
+pub(crate) fn read_fields(fields: *const gusset_field, count: usize, time: f64) -> Result<Vec<GivenField>, Failure> {
     Error::check_count("fields", count as u64, MAX_ELEMENTS)?;
     let given = |field: *const gusset_field| {
         let given = input::read(field, false, "fields")?;
         let (field, strength) = (given.checked()?, given.strength_at(time)?);
         Error::require(strength.is_finite(), "strength", strength)?;
-        Ok(Given { field, strength })
+        Ok(GivenField { field, strength })
     };
-    let fields = input::structs(fields, count, "fields")?.enumerate();
+    let fields = input::struct_pointers(fields, count, "fields")?.enumerate();
     alloc::try_collect(fields.map(|(k, field)| field.and_then(given).map_err(|failure: Failure| failure.with_item(k))))
 }
 
 /// Reads groups of N numbers, at any alignment.
-fn groups<const N: usize>(data: *const f64, count: usize, name: &'static str) -> Result<Vec<[f64; N]>, Failure> {
-    input::list(data.cast(), count, name)
+fn read_groups_of<const N: usize>(
+    data: *const f64,
+    count: usize,
+    name: &'static str,
+) -> Result<Vec<[f64; N]>, Failure> {
+    input::copy_input_items(data.cast(), count, name)
 }
 
 c_enum! { easing: Easing { GUSSET_EASING_LINEAR => Linear, GUSSET_EASING_SMOOTH => Smooth, GUSSET_EASING_HOLD => Hold } }
@@ -150,33 +154,41 @@ impl gusset_field {
     fn checked(&self) -> Result<Box<dyn Field>, Failure> {
         let (v, about) = (&self.values, || choice(self.axis));
         Ok(match self.kind {
-            GUSSET_FIELD_AFFINE => Box::new(matrix(v)?),
+            GUSSET_FIELD_AFFINE => Box::new(affine_from_numbers(v)?),
             GUSSET_FIELD_TWIST => Box::new(twist(about()?, v[0], v[1])?),
             GUSSET_FIELD_TAPER => Box::new(taper(about()?, v[0], v[1])?),
             GUSSET_FIELD_BEND => Box::new(bend(about()?, v[0], v[1], v[2])?),
             GUSSET_FIELD_SHEAR => Box::new(shear(about()?, choice(self.other_axis)?, v[0])?),
-            GUSSET_FIELD_SPHERIFY => Box::new(spherify(vector(v), v[3])?),
+            GUSSET_FIELD_SPHERIFY => Box::new(spherify(first_three_numbers(v), v[3])?),
             GUSSET_FIELD_CYLINDER_WRAP => Box::new(cylinder_wrap(about()?, v[0])?),
             GUSSET_FIELD_TORUS_WRAP => Box::new(torus_wrap(about()?, v[0], v[1])?),
             GUSSET_FIELD_CONE_WRAP => Box::new(cone_wrap(about()?, v[0], v[1])?),
             GUSSET_FIELD_SPHERE_WRAP => Box::new(sphere_wrap(about()?, v[0])?),
-            GUSSET_FIELD_LATTICE => Box::new(self.lattice()?),
+            GUSSET_FIELD_LATTICE => Box::new(self.read_lattice()?),
             GUSSET_FIELD_PROJECTION => {
                 Box::new(projection([0, 4, 8, 12].map(|k| [v[k], v[k + 1], v[k + 2], v[k + 3]]))?)
             }
-            GUSSET_FIELD_PARALLEL => Box::new(parallel_projection(vector(v), vector(&v[3..]), vector(&v[6..]))?),
-            GUSSET_FIELD_PERSPECTIVE => Box::new(perspective_projection(vector(v), vector(&v[3..]), vector(&v[6..]))?),
-            other => return Err(Failure::unknown("kind", other.into())),
+            GUSSET_FIELD_PARALLEL => Box::new(parallel_projection(
+                first_three_numbers(v),
+                first_three_numbers(&v[3..]),
+                first_three_numbers(&v[6..]),
+            )?),
+            GUSSET_FIELD_PERSPECTIVE => Box::new(perspective_projection(
+                first_three_numbers(v),
+                first_three_numbers(&v[3..]),
+                first_three_numbers(&v[6..]),
+            )?),
+            other => return Err(Failure::unknown_value("kind", other.into())),
         })
     }
 
-    fn lattice(&self) -> Result<Lattice, Failure> {
+    fn read_lattice(&self) -> Result<Lattice, Failure> {
         let counts = self.counts.map(|count| count as usize);
-        let (low, high) = (vector(&self.values), vector(&self.values[3..]));
+        let (low, high) = (first_three_numbers(&self.values), first_three_numbers(&self.values[3..]));
         // Counts that will be rejected do not tell how much there is to read.
         let good = counts.iter().all(|count| (2..=Lattice::MAX_POINTS).contains(count));
         let count = if good { counts.iter().product() } else { 0 };
-        let offsets: Vec<[f64; 3]> = groups(self.offsets, count, "offsets")?;
+        let offsets: Vec<[f64; 3]> = read_groups_of(self.offsets, count, "offsets")?;
         Ok(Lattice::new(low, high, counts, &alloc::collect(offsets.into_iter().map(DVec3::from_array))?)?)
     }
 
@@ -184,11 +196,11 @@ impl gusset_field {
         if self.keys.is_null() && self.key_count == 0 {
             return Ok(self.strength);
         }
-        let keys = groups(self.keys, self.key_count, "keys")?;
+        let keys = read_groups_of(self.keys, self.key_count, "keys")?;
         if !time.is_finite() {
             return Err(Error::OptionOutOfRange { option: "time", value: time }.into());
         }
-        Ok(self.strength * Timed::new(&keys, choice(self.easing)?)?.strength(time))
+        Ok(self.strength * TimedStrength::new(&keys, choice(self.easing)?)?.strength_at(time))
     }
 }
 
@@ -215,9 +227,9 @@ pub unsafe extern "C" fn gusset_net_deform(
     time: f64,
 ) -> gusset_status {
     guard_change(context, |job| {
-        let given = self::fields(fields, count, time)?;
-        let steps = alloc::collect(given.iter().map(Given::step))?;
-        Ok(deform(edit(net, job)?, &steps, job)?)
+        let given = self::read_fields(fields, count, time)?;
+        let steps = alloc::collect(given.iter().map(GivenField::to_step))?;
+        Ok(deform(net_of_handle_mut(net, job)?, &steps, job)?)
     })
 }
 
@@ -233,5 +245,5 @@ pub unsafe extern "C" fn gusset_net_displace(
     net: *mut gusset_net,
     distance: f64,
 ) -> gusset_status {
-    guard_change(context, |job| Ok(displace(edit(net, job)?, distance, job)?))
+    guard_change(context, |job| Ok(displace(net_of_handle_mut(net, job)?, distance, job)?))
 }

@@ -3,12 +3,12 @@
 use crate::capi::context::{guard_change, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::input::{self, flag};
-use crate::capi::net::gluing::{gusset_seam, seam};
-use crate::capi::net::{edit, gusset_net, read};
+use crate::capi::net::gluing::{gusset_seam, to_seam};
+use crate::capi::net::{gusset_net, net_of_handle, net_of_handle_mut};
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::Error;
 use crate::net::MAX_NODES;
-use crate::net::glue::{self, GlueOptions, reglued};
+use crate::net::glue::{self, GlueOptions, find_gluing};
 use crate::net::topology::{CellDiagonal, Gluing, GluingType};
 use gusset_base::alloc;
 
@@ -93,9 +93,9 @@ impl gusset_gluing {
         let has_mask = !matches!(self.kind, GUSSET_GLUING_LINK | GUSSET_GLUING_SEAM);
         if self.reserved != 0 || (!has_mask && self.mask != 0) {
             let (name, value) = if self.reserved != 0 { ("reserved", self.reserved) } else { ("mask", self.mask) };
-            return Err(Failure::unknown(name, value.into()));
+            return Err(Failure::unknown_value(name, value.into()));
         }
-        let unknown = || Failure::unknown("mask", self.mask.into());
+        let unknown = || Failure::unknown_value("mask", self.mask.into());
         let mask = u8::try_from(self.mask).map_err(|_| unknown())?;
         Ok(match self.kind {
             GUSSET_GLUING_LINK => Gluing::Link(self.element),
@@ -106,19 +106,19 @@ impl gusset_gluing {
                     [CellDiagonal::Falling, CellDiagonal::Rising].get(usize::from(mask).wrapping_sub(1)).copied();
                 Gluing::CellDiagonal { cell: self.element, diagonal: diagonal.ok_or_else(unknown)? }
             }
-            GUSSET_GLUING_SEAM => Gluing::Seam(seam(&self.seam)?),
+            GUSSET_GLUING_SEAM => Gluing::Seam(to_seam(&self.seam)?),
             GUSSET_GLUING_TYPE => {
                 Gluing::from_type(GluingType::from_number(self.mask).ok_or_else(unknown)?, self.element)
             }
-            other => return Err(Failure::unknown("kind", other.into())),
+            other => return Err(Failure::unknown_value("kind", other.into())),
         })
     }
 }
 
 /// Reads the caller's gluings, at any alignment.
-fn gluings(data: *const gusset_gluing, count: usize) -> Result<Vec<Gluing>, Failure> {
+fn read_gluings(data: *const gusset_gluing, count: usize) -> Result<Vec<Gluing>, Failure> {
     Error::check_count("gluings", count as u64, MAX_NODES)?;
-    let given = input::items(data, count, "gluings")?.enumerate();
+    let given = input::input_items(data, count, "gluings")?.enumerate();
     alloc::try_collect(given.map(|(k, gluing)| gluing.checked().map_err(|failure| failure.with_item(k))))
 }
 
@@ -173,16 +173,17 @@ pub unsafe extern "C" fn gusset_net_glue(
     options: *const gusset_glue_options,
     moved: *mut u64,
 ) -> gusset_status {
-    let moved = input::optional_output(moved, 0, "moved");
+    let moved = input::cleared_optional_output(moved, 0, "moved");
     guard_change(context, |job| {
         let (moved, options) = (moved?, input::read(options, false, "options")?);
         let detect = flag(options.detect, "detect")?.then_some(options.tolerance);
         let (saturate, snap) = (flag(options.saturate, "saturate")?, flag(options.snap, "snap")?);
-        let gluings = gluings(options.gluings, options.gluing_count)?;
+        let gluings = read_gluings(options.gluings, options.gluing_count)?;
         Error::check_count("links", options.link_count as u64, 2 * MAX_NODES)?;
-        let links = input::list(options.links, options.link_count, "links")?;
-        let topology = reglued(read(net)?, &GlueOptions { detect, gluings: &gluings, links: &links, saturate }, job)?;
-        input::set(moved, glue::reglue(edit(net, job)?, topology, snap, job)?);
+        let links = input::copy_input_items(options.links, options.link_count, "links")?;
+        let topology =
+            find_gluing(net_of_handle(net)?, &GlueOptions { detect, gluings: &gluings, links: &links, saturate }, job)?;
+        input::set_optional_output(moved, glue::set_gluing(net_of_handle_mut(net, job)?, topology, snap, job)?);
         Ok(())
     })
 }
@@ -207,10 +208,10 @@ pub unsafe extern "C" fn gusset_net_unglue(
     separation: f64,
     moved: *mut u64,
 ) -> gusset_status {
-    let moved = input::optional_output(moved, 0, "moved");
+    let moved = input::cleared_optional_output(moved, 0, "moved");
     guard_change(context, |job| {
-        let (moved, gluings) = (moved?, self::gluings(gluings, count)?);
-        input::set(moved, edit(net, job)?.unglue(&gluings, separation)? as u64);
+        let (moved, gluings) = (moved?, self::read_gluings(gluings, count)?);
+        input::set_optional_output(moved, net_of_handle_mut(net, job)?.unglue(&gluings, separation)? as u64);
         Ok(())
     })
 }

@@ -4,8 +4,8 @@ use crate::capi::context::{create, guard_change, gusset_context, lend};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle;
 use crate::capi::input::{self, Choice, choice, flag};
-use crate::capi::net::arrange::{GUSSET_REPLICATE_REFUSE, gusset_direction, gusset_replication, replication};
-use crate::capi::net::{edit, gusset_net, read};
+use crate::capi::net::arrange::{GUSSET_REPLICATE_REFUSE, gusset_direction, gusset_replication, to_replication};
+use crate::capi::net::{gusset_net, net_of_handle, net_of_handle_mut};
 use crate::capi::status::gusset_status::GUSSET_ERROR_OVERLAP;
 use crate::capi::status::{Failure, gusset_status};
 use crate::error::{Element, Error};
@@ -125,7 +125,7 @@ impl gusset_concatenate_options {
             direction: choice(self.direction)?,
             mode: choice(self.mode)?,
             tolerance: self.tolerance,
-            equalise: if refuse { None } else { Some(replication(self.equalise, self.equalise_index)?) },
+            equalise: if refuse { None } else { Some(to_replication(self.equalise, self.equalise_index)?) },
             twist: self.twist,
             turn: flag(self.turn, "turn")?,
             properties: self.properties.into(),
@@ -135,9 +135,9 @@ impl gusset_concatenate_options {
 }
 
 /// Reads the nets of an array of handles.
-fn nets<'a>(handles: *const *const gusset_net, count: usize) -> Result<Vec<&'a Net<'static>>, Failure> {
+fn nets_of_handles<'a>(handles: *const *const gusset_net, count: usize) -> Result<Vec<&'a Net<'static>>, Failure> {
     Error::check_count("nets", count as u64, MAX_NODES)?;
-    let handles = handle::list(handles, count, "net")?;
+    let handles = handle::get_objects(handles, count, "net")?;
     alloc::try_collect(handles.map(|handle| Ok(handle?.net())))
 }
 
@@ -165,7 +165,7 @@ pub unsafe extern "C" fn gusset_net_concatenate_create(
 ) -> gusset_status {
     create(context, joined, "joined", |job| {
         let options = input::read(options, true, "options")?.checked()?;
-        Ok(gusset_net::new(concatenate_all(&self::nets(nets, net_count)?, &options, job)?))
+        Ok(gusset_net::new(concatenate_all(&self::nets_of_handles(nets, net_count)?, &options, job)?))
     })
 }
 
@@ -187,16 +187,19 @@ pub unsafe extern "C" fn gusset_net_split_create(
     first: *mut *mut gusset_net,
     second: *mut *mut gusset_net,
 ) -> gusset_status {
-    let slots = [input::output(first, ptr::null_mut(), "first"), input::output(second, ptr::null_mut(), "second")];
+    let slots = [
+        input::cleared_output(first, ptr::null_mut(), "first"),
+        input::cleared_output(second, ptr::null_mut(), "second"),
+    ];
     guard_change(context, |job| {
         let [first, second] = slots;
         let (first, second) = (first?, second?);
         if ptr::eq(first, second) {
             return Err(Failure::new(GUSSET_ERROR_OVERLAP, "first and second are the same place"));
         }
-        let parts = read(net)?.split(bridge, job)?.map(|part| handle::boxed(gusset_net::new(part)));
+        let parts = net_of_handle(net)?.split(bridge, job)?.map(|part| handle::boxed(gusset_net::new(part)));
         job.finish()?;
-        [*first, *second] = parts.map(handle::give);
+        [*first, *second] = parts.map(handle::into_handle);
         Ok(())
     })
 }
@@ -252,7 +255,7 @@ pub unsafe extern "C" fn gusset_net_set_bridge(
     guard_change(context, |job| {
         let mode = choice(mode)?;
         let given = (!properties.is_null()).then(|| input::reference(properties, "properties")).transpose()?;
-        let net = edit(net, job)?;
+        let net = net_of_handle_mut(net, job)?;
         net.set_bridge_mode(index, mode, tolerance)?;
         if let Some(&given) = given {
             net.bridges_mut()[index].properties = given.into();

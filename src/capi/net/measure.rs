@@ -3,7 +3,7 @@
 use crate::capi::context::{answer_struct, guard_change, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::input;
-use crate::capi::net::{gusset_net, read};
+use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::{Failure, gusset_status};
 use crate::net::measure::{bilinear_area, measure, moments, planarity};
 
@@ -85,9 +85,9 @@ pub unsafe extern "C" fn gusset_net_measure(
     report: *mut gusset_net_measure_report,
 ) -> gusset_status {
     answer_struct(context, (report, "report"), |job| {
-        let net = read(net)?;
+        let net = net_of_handle(net)?;
         if measures > 7 {
-            return Err(Failure::unknown("measures", measures.into()));
+            return Err(Failure::unknown_value("measures", measures.into()));
         }
         let wanted = |which: gusset_net_measures| measures & which != 0;
         let mut report = gusset_net_measure_report::default();
@@ -132,12 +132,12 @@ pub unsafe extern "C" fn gusset_net_planarity(
     written: *mut usize,
     report: *mut gusset_net_planarity_report,
 ) -> gusset_status {
-    let (written, report) = (input::output(written, 0, "written"), input::output_struct(report, "report"));
+    let (written, report) = (input::cleared_output(written, 0, "written"), input::output_struct(report, "report"));
     guard_change(context, |job| {
         let (written, report) = (written?, report?);
-        let found = planarity(read(net)?, tolerance, job)?;
-        input::copy((cells, capacity, "cells"), &found.cells, written, job)?;
-        report.write(gusset_net_planarity_report {
+        let found = planarity(net_of_handle(net)?, tolerance, job)?;
+        input::copy_to_buffer((cells, capacity, "cells"), &found.cells, written, job)?;
+        report.write_known_fields(gusset_net_planarity_report {
             struct_size: 0,
             worst: found.worst.map_or(0.0, |(off, _)| off),
             worst_cell: found.worst.map_or(u64::MAX, |(_, cell)| cell.into()),

@@ -3,16 +3,16 @@
 use crate::capi::context::{create, create_and_tell, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, flag, lent};
+use crate::capi::input::{self, choice, flag, lend_list};
 use crate::capi::mesh::gusset_scalar;
-use crate::capi::mesh::result::{Made, gusset_result, report};
+use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
-use crate::capi::net::{gusset_net, read};
+use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::{Failure, gusset_status};
 use crate::job::Job;
 use crate::mesh::Scalar;
 use crate::net::convert::{Diagonal, Heights, MeshOptions, net_of_grid, net_of_heights, net_of_triangles};
-use crate::net::{Coordinates, Net, Planes, Real, Shape};
+use crate::net::{Coordinates, Net, Real, Shape, XyzMatrices};
 use gusset_base::alloc;
 use gusset_base::geom::strided::Strided;
 use std::ffi::c_void;
@@ -165,7 +165,7 @@ impl gusset_net_mesh_options {
                 GUSSET_NET_QUADS => None,
                 GUSSET_NET_TRIANGLES_SHORTER => Some(Diagonal::Shorter),
                 GUSSET_NET_TRIANGLES_FIXED => Some(Diagonal::Fixed),
-                other => return Err(Failure::unknown("faces", other.into())),
+                other => return Err(Failure::unknown_value("faces", other.into())),
             },
             weld: !flag(self.no_weld, "no_weld")?,
             keep_unused: flag(self.keep_unused, "keep_unused")?,
@@ -193,7 +193,7 @@ pub unsafe extern "C" fn gusset_net_to_mesh(
 ) -> gusset_status {
     create(context, result, "result", |job| {
         let options = input::read(options, true, "options")?.checked()?;
-        Ok(gusset_result(Made::NetMesh(read(net)?.to_mesh(&options, job)?)))
+        Ok(gusset_result(OperationResult::NetMesh(net_of_handle(net)?.to_mesh(&options, job)?)))
     })
 }
 
@@ -206,26 +206,26 @@ pub unsafe extern "C" fn gusset_result_get_net_mesh(
     result: *const gusset_result,
     report: *mut gusset_net_mesh_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_net_to_mesh", Made::NetMesh(made) => {
+    report!(result, report, "gusset_net_to_mesh", OperationResult::NetMesh(made) => {
         let (coordinates, corners) =
             made.texture.as_ref().map_or((&[][..], &[][..]), |texture| (&texture.coordinates, &texture.corners));
         gusset_net_mesh_report {
             struct_size: size_of::<gusset_net_mesh_report>(),
-            vertex_of_node: gusset_indices::lend(&made.vertex_of_node),
-            node_of_vertex: gusset_indices::lend(&made.node_of_vertex),
-            cell_of_face: gusset_indices::lend(&made.cell_of_face),
-            wires: gusset_indices::lend(made.wires.as_flattened()),
-            texture_corners: gusset_indices::lend(corners),
-            texture_coordinates: lent(coordinates).cast(),
+            vertex_of_node: gusset_indices::lend_indices(&made.vertex_of_node),
+            node_of_vertex: gusset_indices::lend_indices(&made.node_of_vertex),
+            cell_of_face: gusset_indices::lend_indices(&made.cell_of_face),
+            wires: gusset_indices::lend_indices(made.wires.as_flattened()),
+            texture_corners: gusset_indices::lend_indices(corners),
+            texture_coordinates: lend_list(coordinates).cast(),
             texture_count: coordinates.len(),
         }
     })
 }
 
 /// Copies the caller's numbers, at any alignment, without the gaps between rows.
-fn values<T: Real>(shape: Shape, heights: &gusset_heights) -> Result<Vec<T>, Failure> {
+fn read_heights<T: Real>(shape: Shape, heights: &gusset_heights) -> Result<Vec<T>, Failure> {
     let (count, stride, row) = (shape.rows(), heights.row_stride, shape.columns() * size_of::<T>());
-    let bytes = input::bytes(heights.values, Strided::span(count, stride, row, "rows of values")?, 1, "values")?;
+    let bytes = input::input_bytes(heights.values, Strided::span(count, stride, row, "rows of values")?, 1, "values")?;
     let rows = Strided::new(bytes, count, stride, row, "rows of values")?;
     let mut values = alloc::with_capacity(shape.node_count())?;
     for i in 0..count {
@@ -234,13 +234,13 @@ fn values<T: Real>(shape: Shape, heights: &gusset_heights) -> Result<Vec<T>, Fai
     Ok(values)
 }
 
-fn from_heights<T: Real>(heights: &gusset_heights, job: &Job<'_>) -> Result<Net<'static>, Failure>
+fn net_of_c_heights<T: Real>(heights: &gusset_heights, job: &Job<'_>) -> Result<Net<'static>, Failure>
 where
-    Coordinates<'static>: From<Planes<'static, T>>,
+    Coordinates<'static>: From<XyzMatrices<'static, T>>,
 {
     let shape = Shape::new(heights.rows, heights.columns)?;
     let has_no_data = flag(heights.has_no_data, "has_no_data")?;
-    let values = values::<T>(shape, heights)?;
+    let values = read_heights::<T>(shape, heights)?;
     let heights = Heights {
         shape,
         values: &values,
@@ -269,8 +269,8 @@ pub unsafe extern "C" fn gusset_net_from_heights_create(
     create(context, net, "net", |job| {
         let heights = input::read(heights, false, "heights")?;
         Ok(gusset_net::new(match choice(heights.scalar)? {
-            Scalar::F32 => from_heights::<f32>(&heights, job)?,
-            Scalar::F64 => from_heights::<f64>(&heights, job)?,
+            Scalar::F32 => net_of_c_heights::<f32>(&heights, job)?,
+            Scalar::F64 => net_of_c_heights::<f64>(&heights, job)?,
         }))
     })
 }
@@ -300,24 +300,24 @@ pub unsafe extern "C" fn gusset_net_from_mesh_create(
     grid: *mut *mut gusset_net_grid,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    let slot = input::optional_output(grid, ptr::null_mut(), "grid");
+    let slot = input::cleared_optional_output(grid, ptr::null_mut(), "grid");
     let found = |job: &Job<'_>| {
         let slot = slot?;
         let options = input::read(options, true, "options")?;
         let face = flag(options.has_face, "has_face")?.then_some(options.face);
         let given_mesh = self::mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
-        let (view, job) = (given_mesh.view(), job.part(0.1, 1.0));
+        let (view, job) = (given_mesh.mesh_view(), job.part(0.1, 1.0));
         let found = match options.cells {
             GUSSET_GRID_QUADS => net_of_grid(&view, face, &job)?,
             GUSSET_GRID_TRIANGLES => net_of_triangles(&view, &job)?,
-            other => return Err(Failure::unknown("cells", other.into())),
+            other => return Err(Failure::unknown_value("cells", other.into())),
         };
         let (vertex_of_node, face_of_cell) = (found.vertex_of_node, found.face_of_cell);
         Ok((gusset_net::new(found.net), (slot, handle::boxed(gusset_net_grid { vertex_of_node, face_of_cell }))))
     };
     create_and_tell(context, net, "net", found, |(slot, grid)| {
         if let Some(slot) = slot {
-            *slot = handle::give(grid);
+            *slot = handle::into_handle(grid);
         }
     })
 }
@@ -337,7 +337,7 @@ pub unsafe extern "C" fn gusset_net_grid_get_view(
 ) -> gusset_status {
     lend!(grid, view, |grid| gusset_net_grid_view {
         struct_size: size_of::<gusset_net_grid_view>(),
-        vertex_of_node: gusset_indices::lend(&grid.vertex_of_node),
-        face_of_cell: gusset_indices::lend(&grid.face_of_cell),
+        vertex_of_node: gusset_indices::lend_indices(&grid.vertex_of_node),
+        face_of_cell: gusset_indices::lend_indices(&grid.face_of_cell),
     })
 }

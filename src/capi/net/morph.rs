@@ -3,7 +3,7 @@
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::c_enum;
 use crate::capi::input::choice;
-use crate::capi::net::{gusset_net, read};
+use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::gusset_status;
 use crate::net::{MorphPath, morph};
 
@@ -38,6 +38,6 @@ pub unsafe extern "C" fn gusset_net_morph_create(
     between: *mut *mut gusset_net,
 ) -> gusset_status {
     create(context, between, "between", |job| {
-        Ok(gusset_net::new(morph(read(first)?, read(second)?, t, choice(path)?, job)?))
+        Ok(gusset_net::new(morph(net_of_handle(first)?, net_of_handle(second)?, t, choice(path)?, job)?))
     })
 }

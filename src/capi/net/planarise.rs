@@ -3,7 +3,7 @@
 use crate::capi::context::{answer_struct, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::input::{self, flag};
-use crate::capi::net::{edit, gusset_net};
+use crate::capi::net::{gusset_net, net_of_handle_mut};
 use crate::capi::status::gusset_status;
 use crate::error::Error;
 use crate::net::planarise::{PlanariseOptions, planarise};
@@ -78,13 +78,13 @@ pub unsafe extern "C" fn gusset_net_planarise(
 ) -> gusset_status {
     answer_struct(context, (report, "report"), |job| {
         let given = input::read(options, true, "options")?;
-        let net = edit(net, job)?;
+        let net = net_of_handle_mut(net, job)?;
         let (needed, count) = (net.shape().node_count(), given.fixed_count);
         if !given.fixed.is_null() && count < needed {
             return Err(Error::ArrayTooShort { what: "fixed", needed: needed as u64, given: count as u64 }.into());
         }
         let count = if given.fixed.is_null() { count } else { needed };
-        let bytes = input::bytes(given.fixed.cast(), count, 1, "fixed")?;
+        let bytes = input::input_bytes(given.fixed.cast(), count, 1, "fixed")?;
         let fixed: Vec<bool> = alloc::try_collect(bytes.iter().map(|&byte| flag(byte.into(), "fixed")))?;
         let options = PlanariseOptions {
             tolerance: given.tolerance,

@@ -4,7 +4,7 @@ use crate::capi::context::{create, create_and_tell, guard_change, gusset_context
 use crate::capi::glue::c_enum;
 use crate::capi::handle;
 use crate::capi::input::{self, choice};
-use crate::capi::net::{gusset_net, read};
+use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::gusset_status::GUSSET_ERROR_BUFFER_TOO_SMALL;
 use crate::capi::status::{Failure, gusset_status};
 use crate::job::Job;
@@ -46,7 +46,7 @@ pub unsafe extern "C" fn gusset_net_resample_create(
 ) -> gusset_status {
     create(context, resampled, "resampled", |job| {
         let interpolation = choice(interpolation)?;
-        Ok(gusset_net::new(resample(read(net)?, rows, columns, interpolation, job)?))
+        Ok(gusset_net::new(resample(net_of_handle(net)?, rows, columns, interpolation, job)?))
     })
 }
 
@@ -70,21 +70,23 @@ pub unsafe extern "C" fn gusset_net_decimate_create(
     deviation: *mut f64,
     decimated: *mut *mut gusset_net,
 ) -> gusset_status {
-    let deviation = input::optional_output(deviation, 0.0, "deviation");
+    let deviation = input::cleared_optional_output(deviation, 0.0, "deviation");
     let decimated_net = |job: &Job<'_>| {
         let deviation = deviation?;
-        let found = decimate(read(net)?, tolerance, job)?;
-        write(&found.rows, rows, "rows")?;
-        write(&found.columns, columns, "columns")?;
+        let found = decimate(net_of_handle(net)?, tolerance, job)?;
+        write_indices(&found.rows, rows, "rows")?;
+        write_indices(&found.columns, columns, "columns")?;
         Ok((gusset_net::new(found.net), (deviation, found.deviation)))
     };
-    create_and_tell(context, decimated, "decimated", decimated_net, |(to, deviation)| input::set(to, deviation))
+    create_and_tell(context, decimated, "decimated", decimated_net, |(to, deviation)| {
+        input::set_optional_output(to, deviation)
+    })
 }
 
 /// Writes indices to the caller's buffer, unless it is NULL.
-fn write(indices: &[usize], buffer: *mut u32, name: &'static str) -> Result<(), Failure> {
+fn write_indices(indices: &[usize], buffer: *mut u32, name: &'static str) -> Result<(), Failure> {
     if !buffer.is_null() {
-        let to = input::results(buffer, indices.len(), name)?;
+        let to = input::result_buffer(buffer, indices.len(), name)?;
         to.iter_mut().zip(indices).for_each(|(to, &index)| *to = index as u32);
     }
     Ok(())
@@ -110,17 +112,17 @@ pub unsafe extern "C" fn gusset_net_pyramid_create(
     capacity: usize,
     count: *mut usize,
 ) -> gusset_status {
-    let (count, slots) = (input::output(count, 0, "count"), input::handles(levels, capacity, "levels"));
+    let (count, slots) = (input::cleared_output(count, 0, "count"), input::handle_buffer(levels, capacity, "levels"));
     guard_change(context, |job| {
         let (count, slots) = (count?, slots?);
-        let made = pyramid(read(net)?, choice(interpolation)?, job)?;
+        let made = pyramid(net_of_handle(net)?, choice(interpolation)?, job)?;
         let made = alloc::collect(made.into_iter().map(|level| handle::boxed(gusset_net::new(level))))?;
         job.finish()?;
         *count = made.len();
         if capacity < made.len() {
             return Err(Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, "levels is too small"));
         }
-        slots.iter_mut().zip(made).for_each(|(slot, level)| *slot = handle::give(level));
+        slots.iter_mut().zip(made).for_each(|(slot, level)| *slot = handle::into_handle(level));
         Ok(())
     })
 }

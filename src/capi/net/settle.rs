@@ -3,7 +3,7 @@
 use crate::capi::context::{answer_struct, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::input::{self, flag};
-use crate::capi::net::{edit, gusset_net, read};
+use crate::capi::net::{gusset_net, net_of_handle, net_of_handle_mut};
 use crate::capi::status::gusset_status;
 use crate::net::settle::{SettleOptions, settle};
 use gusset_base::alloc;
@@ -100,8 +100,8 @@ pub unsafe extern "C" fn gusset_net_settle(
     answer_struct(context, (report, "report"), |job| {
         let given = input::read(options, true, "options")?;
         // The reference may be the net itself.
-        let reference = if given.reference.is_null() { None } else { Some(read(given.reference)?.copied()?) };
-        let bytes = input::bytes(given.free.cast(), given.free_count, 1, "free")?;
+        let reference = if given.reference.is_null() { None } else { Some(net_of_handle(given.reference)?.copied()?) };
+        let bytes = input::input_bytes(given.free.cast(), given.free_count, 1, "free")?;
         let free: Vec<bool> = alloc::try_collect(bytes.iter().map(|&byte| flag(byte.into(), "free")))?;
         let options = SettleOptions {
             tolerance: given.tolerance,
@@ -110,7 +110,7 @@ pub unsafe extern "C" fn gusset_net_settle(
             reference: reference.as_ref(),
             free: &free,
         };
-        let done = settle(edit(net, job)?, &options, job)?;
+        let done = settle(net_of_handle_mut(net, job)?, &options, job)?;
         Ok(gusset_settle_report {
             struct_size: 0,
             energy_before: done.energy_before,

@@ -5,10 +5,10 @@
 use crate::attributes::Domain;
 use crate::capi::context::{answer_struct, guard_change, gusset_context};
 use crate::capi::glue::versioned;
-use crate::capi::input::{self, choice, fill};
+use crate::capi::input::{self, choice, fill_buffer};
 use crate::capi::mesh::origins::gusset_domain;
 use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::sheet::{gusset_sheet, read};
+use crate::capi::surface::sheet::{gusset_sheet, sheet_of_handle};
 use crate::job::Job;
 use crate::surface::Sheet;
 use crate::surface::reference::{CellMask, Diameters, Lattice, chain, euler_characteristic, integer_diameter};
@@ -33,17 +33,17 @@ pub struct gusset_mask_report {
 versioned! { gusset_mask_report: 40 }
 
 /// Reads the caller's region; NULL means all cells.
-fn region(sheet: &Sheet<'_>, words: *const u64, count: usize) -> Result<CellMask, Failure> {
+fn read_region(sheet: &Sheet<'_>, words: *const u64, count: usize) -> Result<CellMask, Failure> {
     let lattice = Lattice::new(sheet);
     if words.is_null() && count == 0 {
         return Ok(CellMask::full(lattice)?);
     }
-    Ok(CellMask::from_words(lattice, &input::list(words, count, "words")?)?)
+    Ok(CellMask::from_words(lattice, &input::copy_input_items(words, count, "words")?)?)
 }
 
 /// Reads the row and column of a cell.
-fn cell(pointer: *const u32, name: &'static str) -> Result<[usize; 2], Failure> {
-    let bytes = input::bytes(pointer.cast(), 2, 4, name)?;
+fn read_cell(pointer: *const u32, name: &'static str) -> Result<[usize; 2], Failure> {
+    let bytes = input::input_bytes(pointer.cast(), 2, 4, name)?;
     Ok(bytemuck::pod_read_unaligned::<[u32; 2]>(bytes).map(|k| k as usize))
 }
 
@@ -75,12 +75,12 @@ pub unsafe extern "C" fn gusset_sheet_mask_chain(
     capacity: usize,
     written: *mut usize,
 ) -> gusset_status {
-    let written = input::output(written, 0, "written");
+    let written = input::cleared_output(written, 0, "written");
     guard_change(context, |job| {
-        let (written, region) = (written?, region(read(sheet)?, words, count)?);
-        let [from, to] = [cell(from, "from")?, cell(to, "to")?];
+        let (written, region) = (written?, read_region(sheet_of_handle(sheet)?, words, count)?);
+        let [from, to] = [read_cell(from, "from")?, read_cell(to, "to")?];
         let found = chain(&region, from, to, job)?.unwrap_or_default();
-        pairs((cells, capacity, "cells"), (found.len(), found.into_iter()), written, job)
+        write_pairs((cells, capacity, "cells"), (found.len(), found.into_iter()), written, job)
     })
 }
 
@@ -99,8 +99,8 @@ pub unsafe extern "C" fn gusset_sheet_mask_measure(
     report: *mut gusset_mask_report,
 ) -> gusset_status {
     answer_struct(context, (report, "report"), |job| {
-        let sheet = read(sheet)?;
-        let region = region(sheet, words, count)?;
+        let sheet = sheet_of_handle(sheet)?;
+        let region = read_region(sheet, words, count)?;
         let sizes = Diameters::new(sheet, &job.part(0.0, 0.4))?.euclidean;
         let euler = euler_characteristic(&region, &job.part(0.4, 0.5))?;
         let integer = integer_diameter(&region, &job.part(0.5, 1.0))?;
@@ -137,22 +137,27 @@ pub unsafe extern "C" fn gusset_sheet_mask_elements(
     capacity: usize,
     written: *mut usize,
 ) -> gusset_status {
-    let written = input::output(written, 0, "written");
+    let written = input::cleared_output(written, 0, "written");
     guard_change(context, |job| {
-        let (written, region, out) = (written?, region(read(sheet)?, words, count)?, (elements, capacity, "elements"));
+        let (written, region, out) =
+            (written?, read_region(sheet_of_handle(sheet)?, words, count)?, (elements, capacity, "elements"));
         match choice(domain)? {
-            Domain::Faces => pairs(out, (region.count(), region.cells()), written, job),
-            Domain::Vertices | Domain::Corners => pairs(out, (region.nodes().count(), region.nodes()), written, job),
+            Domain::Faces => write_pairs(out, (region.count(), region.cells()), written, job),
+            Domain::Vertices | Domain::Corners => {
+                write_pairs(out, (region.nodes().count(), region.nodes()), written, job)
+            }
         }
     })
 }
 
 /// Writes rows and columns to the caller's buffer.
-fn pairs(
+fn write_pairs(
     (out, capacity, name): (*mut u32, usize, &'static str),
     (count, all): (usize, impl Iterator<Item = [usize; 2]>),
     written: &mut usize,
     job: &Job<'_>,
 ) -> Result<(), Failure> {
-    fill((out.cast::<[u32; 2]>(), capacity, name), count, written, job, || Ok(all.map(|pair| pair.map(|k| k as u32))))
+    fill_buffer((out.cast::<[u32; 2]>(), capacity, name), count, written, job, || {
+        Ok(all.map(|pair| pair.map(|k| k as u32)))
+    })
 }

@@ -3,13 +3,13 @@
 //! @source Leus.
 
 use crate::capi::context::{guard_change, gusset_context};
-use crate::capi::curve::{gusset_curve, view};
+use crate::capi::curve::{gusset_curve, view_of_curve};
 use crate::capi::glue::versioned;
 use crate::capi::handle;
 use crate::capi::input::{self, flag};
 use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::evaluate::surface_places;
-use crate::capi::surface::sheet::{gusset_sheet, read};
+use crate::capi::surface::evaluate::read_surface_places;
+use crate::capi::surface::sheet::{gusset_sheet, sheet_of_handle};
 use crate::capi::surface::{gusset_surface, gusset_surface_place};
 use crate::curve::CurveView;
 use crate::error::{Element, Error};
@@ -104,7 +104,7 @@ pub struct gusset_reference_report {
 versioned! { gusset_reference_task: 104, gusset_reference_report: 56 }
 
 impl gusset_reference_task {
-    fn options(&self) -> Result<SearchOptions, Failure> {
+    fn search_options(&self) -> Result<SearchOptions, Failure> {
         let nearest = flag(self.find_nearest, "find_nearest")?;
         Ok(SearchOptions {
             goal: if nearest { Goal::Least } else { Goal::Within(self.within) },
@@ -115,7 +115,7 @@ impl gusset_reference_task {
     }
 
     /// Returns the object from which distances are measured; `None` for angles.
-    fn figure(&self) -> Result<Option<Figure<'_>>, Failure> {
+    fn distance_figure(&self) -> Result<Option<Figure<'_>>, Failure> {
         let (point, direction) = (DVec3::from_array(self.point), DVec3::from_array(self.direction));
         Ok(Some(match self.object {
             GUSSET_REFERENCE_POINT => Figure::Object(Object::Point(point)),
@@ -123,10 +123,10 @@ impl gusset_reference_task {
             GUSSET_REFERENCE_LINE => Figure::Object(Object::Line(Line::new(point, direction))),
             GUSSET_REFERENCE_SEGMENT => Figure::Object(Object::Line(Line::segment(point, point + direction))),
             GUSSET_REFERENCE_RAY => Figure::Object(Object::Line(Line::ray(point, direction))),
-            GUSSET_REFERENCE_CURVE => Figure::Curve(view(self.curve, "curve")?),
-            GUSSET_REFERENCE_SURFACE => Figure::Surface(&handle::get(self.surface, "surface")?.0),
+            GUSSET_REFERENCE_CURVE => Figure::Curve(view_of_curve(self.curve, "curve")?),
+            GUSSET_REFERENCE_SURFACE => Figure::Surface(&handle::get_object(self.surface, "surface")?.0),
             GUSSET_REFERENCE_ANGLE => return Ok(None),
-            other => return Err(Failure::unknown("object", other.into())),
+            other => return Err(Failure::unknown_value("object", other.into())),
         }))
     }
 
@@ -135,15 +135,15 @@ impl gusset_reference_task {
         Ok(AngleTarget { direction: DVec3::from_array(self.direction), angle: self.angle, unsigned })
     }
 
-    fn search(&self, sheet: &Sheet<'_>, job: &Job<'_>) -> Result<SearchOutcome, Failure> {
-        let (options, target) = (self.options()?, self.angle_target()?);
-        let Some(figure) = self.figure()? else { return self.angle_incidence(sheet, target, &options, job) };
+    fn search_sheet(&self, sheet: &Sheet<'_>, job: &Job<'_>) -> Result<SearchOutcome, Failure> {
+        let (options, target) = (self.search_options()?, self.angle_target()?);
+        let Some(figure) = self.distance_figure()? else { return self.angle_incidence(sheet, target, &options, job) };
         let diameters = Diameters::new(sheet, &job.part(0.0, 0.5))?;
         Ok(figure_incidence(sheet, &diameters, figure, &options, &job.part(0.5, 1.0))?)
     }
 
     fn search_curve(&self, curve: &CurveView<'_>, parts: usize, job: &Job<'_>) -> Result<SearchOutcome, Failure> {
-        let (options, target, figure) = (self.options()?, self.angle_target()?, self.figure()?);
+        let (options, target, figure) = (self.search_options()?, self.angle_target()?, self.distance_figure()?);
         let arcs = Arcs::new(curve, parts, &job.part(0.0, 0.5))?;
         let job = job.part(0.5, 1.0);
         Ok(match figure {
@@ -190,28 +190,30 @@ pub unsafe extern "C" fn gusset_sheet_reference_mask(
     written: *mut usize,
     report: *mut gusset_reference_report,
 ) -> gusset_status {
-    mask(context, (words, capacity, written), report, task, |task, job| task.search(read(sheet)?, job))
+    run_and_write_search(context, (words, capacity, written), report, task, |task, job| {
+        task.search_sheet(sheet_of_handle(sheet)?, job)
+    })
 }
 
 /// Runs a search and writes its mask and report.
-fn mask(
+fn run_and_write_search(
     context: *const gusset_context,
     (words, capacity, written): (*mut u64, usize, *mut usize),
     report: *mut gusset_reference_report,
     task: *const gusset_reference_task,
     search: impl FnOnce(&gusset_reference_task, &Job<'_>) -> Result<SearchOutcome, Failure>,
 ) -> gusset_status {
-    let written = input::output(written, 0, "written");
-    let buffer = input::cleared(words, if words.is_null() { 0 } else { capacity }, "words");
+    let written = input::cleared_output(written, 0, "written");
+    let buffer = input::cleared_result_buffer(words, if words.is_null() { 0 } else { capacity }, "words");
     let report = if report.is_null() { Ok(None) } else { input::output_struct(report, "report").map(Some) };
     guard_change(context, |job| {
         let (written, report, task) = (written?, report?, input::read(task, false, "task")?);
         buffer?;
         let found = search(&task, job)?;
-        input::copy((words, capacity, "words"), found.mask.words(), written, job)?;
+        input::copy_to_buffer((words, capacity, "words"), found.mask.words(), written, job)?;
         let ([row, column], min_distance) = found.least;
         if let Some(report) = report {
-            report.write(gusset_reference_report {
+            report.write_known_fields(gusset_reference_report {
                 struct_size: 0,
                 cells: found.mask.count() as u64,
                 evaluations: found.evaluations,
@@ -251,8 +253,8 @@ pub unsafe extern "C" fn gusset_curve_reference_mask(
     written: *mut usize,
     report: *mut gusset_reference_report,
 ) -> gusset_status {
-    mask(context, (words, capacity, written), report, task, |task, job| {
-        task.search_curve(&view(curve, "curve")?, parts, job)
+    run_and_write_search(context, (words, capacity, written), report, task, |task, job| {
+        task.search_curve(&view_of_curve(curve, "curve")?, parts, job)
     })
 }
 
@@ -275,9 +277,9 @@ pub unsafe extern "C" fn gusset_sheet_normals_by_sections(
     count: usize,
     normals: *mut f64,
 ) -> gusset_status {
-    let out = input::cleared(normals.cast::<[f64; 3]>(), count, "normals");
+    let out = input::cleared_result_buffer(normals.cast::<[f64; 3]>(), count, "normals");
     guard_change(context, |job| {
-        let (out, sheet, places) = (out?, read(sheet)?, surface_places(places, count)?);
+        let (out, sheet, places) = (out?, sheet_of_handle(sheet)?, read_surface_places(places, count)?);
         let done = normals_at(sheet, &places, out, job).and_then(|()| Ok(job.finish()?));
         done.inspect_err(|_| out.fill([0.0; 3]))
     })

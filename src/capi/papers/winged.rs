@@ -5,7 +5,7 @@
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::{c_enum, laid_out_like, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, lent};
+use crate::capi::input::{self, choice, lend_list};
 use crate::capi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::capi::status::gusset_status;
 use crate::error::Error;
@@ -150,7 +150,7 @@ pub unsafe extern "C" fn gusset_winged_create(
     create(context, winged, "winged", |job| {
         let winding = choice(input::read(options, true, "options")?.winding)?;
         let given_mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
-        let mesh = given_mesh.view();
+        let mesh = given_mesh.mesh_view();
         let tables = WingedEdges::new(&mesh, winding, &job.part(0.2, 0.9))?;
         let loops = free_loops(&tables, &job.part(0.9, 1.0))?;
         Ok(gusset_winged { tables, loops })
@@ -172,14 +172,14 @@ pub unsafe extern "C" fn gusset_winged_get_view(
 ) -> gusset_status {
     lend!(winged, view, |gusset_winged { tables, loops }| gusset_winged_view {
         struct_size: size_of::<gusset_winged_view>(),
-        edges: lent(tables.edges()).cast(),
+        edges: lend_list(tables.edges()).cast(),
         edge_count: tables.edges().len(),
-        edge_of_half_edge: gusset_indices::lend(tables.edge_of_half_edge()),
-        edge_of_face: gusset_indices::lend(tables.edge_of_face()),
-        edge_of_vertex: gusset_indices::lend(tables.edge_of_vertex()),
-        loop_vertices: gusset_indices::lend(&loops.vertices),
-        loop_edges: gusset_indices::lend(&loops.edges),
-        loop_offsets: gusset_indices::lend(&loops.offsets),
+        edge_of_half_edge: gusset_indices::lend_indices(tables.edge_of_half_edge()),
+        edge_of_face: gusset_indices::lend_indices(tables.edge_of_face()),
+        edge_of_vertex: gusset_indices::lend_indices(tables.edge_of_vertex()),
+        loop_vertices: gusset_indices::lend_indices(&loops.vertices),
+        loop_edges: gusset_indices::lend_indices(&loops.edges),
+        loop_offsets: gusset_indices::lend_indices(&loops.offsets),
     })
 }
 
@@ -211,8 +211,8 @@ pub unsafe extern "C" fn gusset_winged_faces_create(
     create(context, faces, "faces", |job| {
         let winding = choice(input::read(options, true, "options")?.winding)?;
         Error::check_count("edges", edge_count as u64, MAX_ELEMENTS)?;
-        let edges: Vec<WingedEdge> = input::list(edges.cast(), edge_count, "edges")?;
-        let first_edges = mesh::indices(first_edges, "first_edges")?;
+        let edges: Vec<WingedEdge> = input::copy_input_items(edges.cast(), edge_count, "edges")?;
+        let first_edges = mesh::read_indices(first_edges, "first_edges")?;
         Ok(gusset_winged_faces(self::faces(&edges, vertex_count, first_edges.as_deref(), winding, job)?))
     })
 }
@@ -232,8 +232,8 @@ pub unsafe extern "C" fn gusset_winged_faces_get_view(
 ) -> gusset_status {
     lend!(faces, view, |gusset_winged_faces(found)| gusset_winged_faces_view {
         struct_size: size_of::<gusset_winged_faces_view>(),
-        face_offsets: gusset_indices::lend(&found.offsets),
-        face_corners: gusset_indices::lend(&found.corners),
-        edge_of_half_edge: gusset_indices::lend(&found.edges),
+        face_offsets: gusset_indices::lend_indices(&found.offsets),
+        face_corners: gusset_indices::lend_indices(&found.corners),
+        edge_of_half_edge: gusset_indices::lend_indices(&found.edges),
     })
 }

@@ -2,11 +2,11 @@
 
 use crate::capi::context::{create, guard_change, gusset_context};
 use crate::capi::glue::fixed;
-use crate::capi::input::{self, choice, fill};
+use crate::capi::input::{self, choice, fill_buffer};
 use crate::capi::net::arrange::gusset_direction;
 use crate::capi::net::join::gusset_concatenate_options;
-use crate::capi::net::{gusset_net, read};
-use crate::capi::scene::{gusset_scene, scene};
+use crate::capi::net::{gusset_net, net_of_handle};
+use crate::capi::scene::{gusset_scene, scene_of_handle};
 use crate::capi::status::gusset_status;
 use crate::capi::transform::gusset_transform;
 use crate::net::scene::{Instance, Scene};
@@ -46,11 +46,11 @@ pub unsafe extern "C" fn gusset_scene_world_transforms(
     capacity: usize,
     written: *mut usize,
 ) -> gusset_status {
-    let written = input::output(written, 0, "written");
+    let written = input::cleared_output(written, 0, "written");
     guard_change(context, |job| {
         let written = written?;
-        let scene = self::scene(scene)?;
-        fill((instances, capacity, "instances"), scene.instance_count()?, written, job, || {
+        let scene = self::scene_of_handle(scene)?;
+        fill_buffer((instances, capacity, "instances"), scene.instance_count()?, written, job, || {
             Ok(scene.instances(job)?.into_iter().map(|Instance { entry, parent, visible, world }| {
                 let (world, visible) = (world.into(), visible.into());
                 gusset_scene_instance { world, entry, parent, visible, reserved: 0 }
@@ -82,7 +82,7 @@ pub unsafe extern "C" fn gusset_scene_flatten_create(
         } else {
             input::read(options, false, "options")?.checked()?
         };
-        Ok(gusset_net::new(self::scene(scene)?.flatten(&options, job)?))
+        Ok(gusset_net::new(self::scene_of_handle(scene)?.flatten(&options, job)?))
     })
 }
 
@@ -100,5 +100,7 @@ pub unsafe extern "C" fn gusset_scene_unflatten_create(
     direction: gusset_direction,
     scene: *mut *mut gusset_scene,
 ) -> gusset_status {
-    create(context, scene, "scene", |job| Ok(gusset_scene(Scene::from_flat_net(read(net)?, choice(direction)?, job)?)))
+    create(context, scene, "scene", |job| {
+        Ok(gusset_scene(Scene::from_flat_net(net_of_handle(net)?, choice(direction)?, job)?))
+    })
 }

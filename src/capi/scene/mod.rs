@@ -13,7 +13,7 @@ use crate::capi::status::{Failure, gusset_status};
 use crate::capi::transform::gusset_transform;
 use crate::job::Job;
 use crate::net::Net;
-use crate::net::scene::{Content, EntryChanges, Scene};
+use crate::net::scene::{EntryChanges, EntryContent, Scene};
 use std::sync::Arc;
 
 /// Kind of a scene entry.
@@ -69,18 +69,18 @@ pub struct gusset_scene_report {
 
 versioned! { gusset_scene_entry_report: 120, gusset_scene_report: 40 }
 
-pub(crate) fn scene<'a>(scene: *const gusset_scene) -> Result<&'a Scene, Failure> {
-    Ok(&handle::get(scene, "scene")?.0)
+pub(crate) fn scene_of_handle<'a>(scene: *const gusset_scene) -> Result<&'a Scene, Failure> {
+    Ok(&handle::get_object(scene, "scene")?.0)
 }
 
-fn changed<'a>(scene: *mut gusset_scene, job: &Job<'_>) -> Result<&'a mut Scene, Failure> {
-    job.memory()?;
-    Ok(&mut handle::get_mut(scene, "scene")?.0)
+fn scene_of_handle_mut<'a>(scene: *mut gusset_scene, job: &Job<'_>) -> Result<&'a mut Scene, Failure> {
+    job.check_memory()?;
+    Ok(&mut handle::get_object_mut(scene, "scene")?.0)
 }
 
 /// Shares the current net of the caller, for a scene; `None` for NULL.
-fn shared(net: *const gusset_net) -> Result<Option<Arc<Net<'static>>>, Failure> {
-    if net.is_null() { Ok(None) } else { Ok(Some(handle::get(net, "net")?.share()?)) }
+fn share_net_of_handle(net: *const gusset_net) -> Result<Option<Arc<Net<'static>>>, Failure> {
+    if net.is_null() { Ok(None) } else { Ok(Some(handle::get_object(net, "net")?.share_net()?)) }
 }
 
 /// Makes an empty scene.
@@ -115,10 +115,10 @@ pub unsafe extern "C" fn gusset_scene_add(
     net: *const gusset_net,
     entry: *mut u32,
 ) -> gusset_status {
-    let entry = input::output(entry, u32::MAX, "entry");
+    let entry = input::cleared_output(entry, u32::MAX, "entry");
     guard_change(context, |job| {
-        let (entry, net) = (entry?, shared(net)?);
-        let scene = changed(scene, job)?;
+        let (entry, net) = (entry?, share_net_of_handle(net)?);
+        let scene = scene_of_handle_mut(scene, job)?;
         *entry = match net {
             Some(net) => scene.add_net(net)?,
             None => scene.add_group()?,
@@ -142,7 +142,7 @@ pub unsafe extern "C" fn gusset_scene_add_child(
     group: u32,
     child: u32,
 ) -> gusset_status {
-    guard_change(context, |job| Ok(changed(scene, job)?.add_child(group, child)?))
+    guard_change(context, |job| Ok(scene_of_handle_mut(scene, job)?.add_child(group, child)?))
 }
 
 /// Removes the first occurrence of an entry from a group.
@@ -159,7 +159,7 @@ pub unsafe extern "C" fn gusset_scene_remove_child(
     group: u32,
     child: u32,
 ) -> gusset_status {
-    guard_change(context, |job| Ok(changed(scene, job)?.remove_child(group, child)?))
+    guard_change(context, |job| Ok(scene_of_handle_mut(scene, job)?.remove_child(group, child)?))
 }
 
 /// Removes an entry from the scene and its groups; its children stay.
@@ -174,7 +174,7 @@ pub unsafe extern "C" fn gusset_scene_remove(
     scene: *mut gusset_scene,
     entry: u32,
 ) -> gusset_status {
-    guard_change(context, |job| Ok(changed(scene, job)?.remove(entry)?))
+    guard_change(context, |job| Ok(scene_of_handle_mut(scene, job)?.remove(entry)?))
 }
 
 /// Change of visibility.
@@ -221,16 +221,16 @@ pub unsafe extern "C" fn gusset_scene_set_entry(
         let given = input::read(changes, false, "changes")?;
         let transform = (!given.transform.is_null()).then(|| input::reference(given.transform, "transform"));
         let changes = EntryChanges {
-            net: shared(given.net)?,
+            net: share_net_of_handle(given.net)?,
             transform: transform.transpose()?.map(|&transform| transform.into()),
             visible: match given.visibility {
                 GUSSET_VISIBILITY_KEEP => None,
                 GUSSET_VISIBILITY_SHOW => Some(true),
                 GUSSET_VISIBILITY_HIDE => Some(false),
-                other => return Err(Failure::unknown("visibility", other.into())),
+                other => return Err(Failure::unknown_value("visibility", other.into())),
             },
         };
-        Ok(changed(scene, job)?.set_entry(entry, changes)?)
+        Ok(scene_of_handle_mut(scene, job)?.set_entry(entry, changes)?)
     })
 }
 
@@ -247,8 +247,8 @@ pub unsafe extern "C" fn gusset_scene_get_entry(
 ) -> gusset_status {
     lend!(scene, report, |gusset_scene(scene)| {
         let (kind, child_count) = match scene.content(entry)? {
-            Content::Net(_) => (GUSSET_SCENE_NET, 0),
-            Content::Group(children) => (GUSSET_SCENE_GROUP, children.len()),
+            EntryContent::Net(_) => (GUSSET_SCENE_NET, 0),
+            EntryContent::Group(children) => (GUSSET_SCENE_GROUP, children.len()),
         };
         let (transform, visible) = (scene.transform(entry)?.into(), scene.is_visible(entry)?.into());
         gusset_scene_entry_report {
@@ -274,7 +274,7 @@ pub unsafe extern "C" fn gusset_scene_net_create(
     entry: u32,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |_| Ok(gusset_net::from_shared(self::scene(scene)?.net(entry)?.clone())))
+    create(context, net, "net", |_| Ok(gusset_net::from_shared(self::scene_of_handle(scene)?.net(entry)?.clone())))
 }
 
 /// Writes the entries of a group, in order.
@@ -294,10 +294,15 @@ pub unsafe extern "C" fn gusset_scene_get_children(
     capacity: usize,
     written: *mut usize,
 ) -> gusset_status {
-    let written = input::output(written, 0, "written");
+    let written = input::cleared_output(written, 0, "written");
     guard_change(context, |job| {
         let written = written?;
-        input::copy((children, capacity, "children"), self::scene(scene)?.children(group)?, written, job)
+        input::copy_to_buffer(
+            (children, capacity, "children"),
+            self::scene_of_handle(scene)?.children(group)?,
+            written,
+            job,
+        )
     })
 }
 

@@ -3,12 +3,12 @@
 use crate::capi::context::{answer_struct, create, guard_change, gusset_context, lend};
 use crate::capi::glue::versioned;
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, Choice, flag, lent};
+use crate::capi::input::{self, Choice, flag, lend_list};
 use crate::capi::mesh::gusset_scalar;
-use crate::capi::net::{gusset_net, read};
+use crate::capi::net::{gusset_net, net_of_handle};
 use crate::capi::status::{Failure, gusset_status};
 use crate::net::MAX_NODES;
-use crate::net::stream::{Mode, StreamDecoder, StreamInfo, StreamOptions, decode_within, encode};
+use crate::net::stream::{StreamDecoder, StreamInfo, StreamMode, StreamOptions, decode_within, encode};
 use std::ffi::c_void;
 use std::ptr;
 
@@ -96,16 +96,18 @@ versioned! { gusset_stream_options: 32 reserved, gusset_stream_report: 104, guss
 impl gusset_stream_options {
     fn checked(self) -> Result<StreamOptions, Failure> {
         let mode = match (self.mode, self.bits) {
-            (GUSSET_STREAM_QUANTISED, 0) => Mode::Quantised { bits: 14 },
-            (GUSSET_STREAM_QUANTISED, bits) => Mode::Quantised { bits },
-            (GUSSET_STREAM_LOSSLESS, 0) => Mode::Lossless,
-            (GUSSET_STREAM_RAW, 0) => Mode::Raw,
-            (GUSSET_STREAM_LOSSLESS | GUSSET_STREAM_RAW, bits) => return Err(Failure::unknown("bits", bits.into())),
-            (other, _) => return Err(Failure::unknown("mode", other.into())),
+            (GUSSET_STREAM_QUANTISED, 0) => StreamMode::Quantised { bits: 14 },
+            (GUSSET_STREAM_QUANTISED, bits) => StreamMode::Quantised { bits },
+            (GUSSET_STREAM_LOSSLESS, 0) => StreamMode::Lossless,
+            (GUSSET_STREAM_RAW, 0) => StreamMode::Raw,
+            (GUSSET_STREAM_LOSSLESS | GUSSET_STREAM_RAW, bits) => {
+                return Err(Failure::unknown_value("bits", bits.into()));
+            }
+            (other, _) => return Err(Failure::unknown_value("mode", other.into())),
         };
         let per_axis = flag(self.per_axis, "per_axis")?;
-        if per_axis && !matches!(mode, Mode::Quantised { .. }) {
-            return Err(Failure::unknown("per_axis", self.per_axis.into()));
+        if per_axis && !matches!(mode, StreamMode::Quantised { .. }) {
+            return Err(Failure::unknown_value("per_axis", self.per_axis.into()));
         }
         Ok(StreamOptions { mode, per_axis, rows_per_block: self.rows_per_block })
     }
@@ -129,7 +131,7 @@ pub unsafe extern "C" fn gusset_net_encode_create(
 ) -> gusset_status {
     create(context, stream, "stream", |job| {
         let options = input::read(options, true, "options")?.checked()?;
-        Ok(gusset_stream(encode(read(net)?, &options, job)?))
+        Ok(gusset_stream(encode(net_of_handle(net)?, &options, job)?))
     })
 }
 
@@ -142,7 +144,7 @@ pub unsafe extern "C" fn gusset_stream_get_view(
 ) -> gusset_status {
     lend!(stream, view, |gusset_stream(bytes)| gusset_stream_view {
         struct_size: 0,
-        data: lent(bytes).cast(),
+        data: lend_list(bytes).cast(),
         size: bytes.len(),
     })
 }
@@ -168,11 +170,11 @@ pub unsafe extern "C" fn gusset_stream_inspect(
     report: *mut gusset_stream_report,
 ) -> gusset_status {
     answer_struct(context, (report, "report"), |_| {
-        let info = StreamInfo::read(input::bytes(data, size, 1, "data")?)?;
+        let info = StreamInfo::read(input::input_bytes(data, size, 1, "data")?)?;
         let (mode, bits) = match info.mode {
-            Mode::Quantised { bits } => (GUSSET_STREAM_QUANTISED, bits),
-            Mode::Lossless => (GUSSET_STREAM_LOSSLESS, 0),
-            Mode::Raw => (GUSSET_STREAM_RAW, 0),
+            StreamMode::Quantised { bits } => (GUSSET_STREAM_QUANTISED, bits),
+            StreamMode::Lossless => (GUSSET_STREAM_LOSSLESS, 0),
+            StreamMode::Raw => (GUSSET_STREAM_RAW, 0),
         };
         Ok(gusset_stream_report {
             struct_size: 0,
@@ -209,7 +211,7 @@ pub unsafe extern "C" fn gusset_net_decode_create(
     net: *mut *mut gusset_net,
 ) -> gusset_status {
     create(context, net, "net", |job| {
-        let data = input::bytes(data, size, 1, "data")?;
+        let data = input::input_bytes(data, size, 1, "data")?;
         let limit = if node_limit == 0 { u64::MAX } else { node_limit };
         Ok(gusset_net::new(decode_within(data, limit, job)?))
     })
@@ -251,11 +253,11 @@ pub unsafe extern "C" fn gusset_stream_decoder_push(
     size: usize,
     rows_done: *mut usize,
 ) -> gusset_status {
-    let rows_done = input::optional_output(rows_done, 0, "rows_done");
+    let rows_done = input::cleared_optional_output(rows_done, 0, "rows_done");
     guard_change(context, |_| {
         let rows_done = rows_done?;
-        let decoder = handle::get_mut(decoder, "decoder")?;
-        input::set(rows_done, decoder.0.push(input::bytes(data, size, 1, "data")?)?);
+        let decoder = handle::get_object_mut(decoder, "decoder")?;
+        input::set_optional_output(rows_done, decoder.0.push(input::input_bytes(data, size, 1, "data")?)?);
         Ok(())
     })
 }
@@ -271,7 +273,7 @@ pub unsafe extern "C" fn gusset_stream_decoder_preview_create(
     decoder: *const gusset_stream_decoder,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, net, "net", |job| Ok(gusset_net::new(handle::get(decoder, "decoder")?.0.preview(job)?)))
+    create(context, net, "net", |job| Ok(gusset_net::new(handle::get_object(decoder, "decoder")?.0.preview(job)?)))
 }
 
 /// Makes the net of a complete stream, and resets the decoder.
@@ -285,11 +287,11 @@ pub unsafe extern "C" fn gusset_stream_decoder_finish_create(
     decoder: *mut gusset_stream_decoder,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
-    let slot = input::output(net, ptr::null_mut(), "net");
+    let slot = input::cleared_output(net, ptr::null_mut(), "net");
     guard_change(context, |job| {
-        let (slot, decoder) = (slot?, handle::get_mut(decoder, "decoder")?);
+        let (slot, decoder) = (slot?, handle::get_object_mut(decoder, "decoder")?);
         job.finish()?;
-        *slot = handle::give(handle::boxed(gusset_net::new(decoder.0.finish()?)));
+        *slot = handle::into_handle(handle::boxed(gusset_net::new(decoder.0.finish()?)));
         Ok(())
     })
 }

@@ -3,9 +3,9 @@
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, lent};
+use crate::capi::input::{self, lend_list};
 use crate::capi::status::gusset_status;
-use crate::capi::surface::{gusset_surface, read};
+use crate::capi::surface::{gusset_surface, surface_of_handle};
 use crate::surface::Region;
 use gusset_base::alloc;
 
@@ -85,7 +85,7 @@ pub unsafe extern "C" fn gusset_surface_region_create(
     cells: *mut *mut gusset_surface_cells,
 ) -> gusset_status {
     create(context, cells, "cells", |job| {
-        let (surface, query) = (read(surface)?, input::vector(query, "query")?);
+        let (surface, query) = (surface_of_handle(surface)?, input::read_vector(query, "query")?);
         let Region { cells, whole, mask, first } = surface.region(query, radius, job)?;
         let cell = |[sheet, row, column]: [u32; 3]| gusset_surface_cell { sheet, row, column };
         Ok(gusset_surface_cells {
@@ -115,7 +115,7 @@ pub unsafe extern "C" fn gusset_surface_cell_pairs_create(
     cells: *mut *mut gusset_surface_cells,
 ) -> gusset_status {
     create(context, cells, "cells", |job| {
-        let found = read(surface)?.candidates(&handle::get(other, "other")?.0, within, job)?;
+        let found = surface_of_handle(surface)?.candidates(&handle::get_object(other, "other")?.0, within, job)?;
         let part = |which: usize| {
             alloc::collect(found.iter().map(move |pair| {
                 let [row, column] = pair.cells[which];
@@ -136,13 +136,13 @@ pub unsafe extern "C" fn gusset_surface_cells_get_view(
 ) -> gusset_status {
     lend!(cells, view, |found| gusset_surface_cells_view {
         struct_size: 0,
-        cells: lent(&found.cells),
+        cells: lend_list(&found.cells),
         cell_count: found.cells.len(),
-        others: lent(&found.others),
-        whole: lent(&found.whole),
-        mask: lent(&found.mask),
+        others: lend_list(&found.others),
+        whole: lend_list(&found.whole),
+        mask: lend_list(&found.mask),
         word_count: found.mask.len(),
-        first: lent(&found.first),
+        first: lend_list(&found.first),
         sheet_count: found.first.len().saturating_sub(1),
     })
 }

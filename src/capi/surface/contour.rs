@@ -4,7 +4,7 @@ use crate::capi::context::{answer_struct, create, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::input::{self, flag};
 use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::{gusset_surface, gusset_surface_paths, gusset_surface_place, read};
+use crate::capi::surface::{gusset_surface, gusset_surface_paths, gusset_surface_place, surface_of_handle};
 use crate::surface::contour::{Planes, PointSpacing};
 use glam::DVec3;
 
@@ -92,13 +92,13 @@ pub struct gusset_nearest_angle_report {
 versioned! { gusset_contour_options: 24, gusset_contour_function: 80, gusset_nearest_angle_report: 112 }
 
 /// Converts the caller's spacing of the points between crossings.
-pub(crate) fn spacing(spacing: gusset_spacing_rule, chord: f64, points: u32) -> Result<PointSpacing, Failure> {
+pub(crate) fn to_point_spacing(spacing: gusset_spacing_rule, chord: f64, points: u32) -> Result<PointSpacing, Failure> {
     Ok(match spacing {
         GUSSET_POINT_SPACING_AUTO => PointSpacing::Auto,
         GUSSET_POINT_SPACING_CHORD => PointSpacing::Chord(chord),
         GUSSET_POINT_SPACING_CELL_EDGES => PointSpacing::CellEdges,
         GUSSET_POINT_SPACING_LEUS => PointSpacing::Leus(points),
-        other => return Err(Failure::unknown("spacing", other.into())),
+        other => return Err(Failure::unknown_value("spacing", other.into())),
     })
 }
 
@@ -141,9 +141,10 @@ pub unsafe extern "C" fn gusset_surface_contours_create(
     paths: *mut *mut gusset_surface_paths,
 ) -> gusset_status {
     create(context, paths, "paths", |job| {
-        let (surface, options) = (read(surface)?, input::read(options, true, "options")?);
-        let between = spacing(options.spacing, options.chord, options.points)?;
-        let (function, levels) = (input::read(function, false, "function")?, input::list(levels, count, "levels")?);
+        let (surface, options) = (surface_of_handle(surface)?, input::read(options, true, "options")?);
+        let between = to_point_spacing(options.spacing, options.chord, options.points)?;
+        let (function, levels) =
+            (input::read(function, false, "function")?, input::copy_input_items(levels, count, "levels")?);
         let [point, direction] = [function.point, function.direction].map(DVec3::from_array);
         let unsigned = flag(function.unsigned_normals, "unsigned_normals")?;
         let found = match function.kind {
@@ -151,11 +152,11 @@ pub unsafe extern "C" fn gusset_surface_contours_create(
                 surface.section(&Planes { point, normal: direction, levels: &levels }, between, job)?
             }
             GUSSET_CONTOUR_VALUES => {
-                let values = input::list(function.values, function.value_count, "values")?;
+                let values = input::copy_input_items(function.values, function.value_count, "values")?;
                 surface.contours(&values, &levels, between, job)?
             }
             GUSSET_CONTOUR_ANGLE => surface.isophotes(direction, &levels, unsigned, between, job)?,
-            other => return Err(Failure::unknown("kind", other.into())),
+            other => return Err(Failure::unknown_value("kind", other.into())),
         };
         Ok(found.try_into()?)
     })
@@ -180,8 +181,8 @@ pub unsafe extern "C" fn gusset_surface_nearest_angle(
     report: *mut gusset_nearest_angle_report,
 ) -> gusset_status {
     answer_struct(context, (report, "report"), |job| {
-        let (surface, unsigned) = (read(surface)?, flag(unsigned_normals, "unsigned_normals")?);
-        let direction = input::vector(direction, "direction")?;
+        let (surface, unsigned) = (surface_of_handle(surface)?, flag(unsigned_normals, "unsigned_normals")?);
+        let direction = input::read_vector(direction, "direction")?;
         let none = gusset_nearest_angle_report { deviation: f64::INFINITY, ..Default::default() };
         Ok(surface.nearest_angle(direction, angle, unsigned, job)?.map_or(none, |found| gusset_nearest_angle_report {
             struct_size: 0,

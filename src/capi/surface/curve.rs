@@ -2,11 +2,11 @@
 
 use crate::capi::context::{create, gusset_context};
 use crate::capi::curve::intersect::gusset_places;
-use crate::capi::curve::{gusset_curve, points, view};
+use crate::capi::curve::{gusset_curve, read_points, view_of_curve};
 use crate::capi::handle;
 use crate::capi::input::{choice, flag};
 use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::line_intersection::{gusset_line, lines};
+use crate::capi::surface::line_intersection::{gusset_line, read_lines};
 use crate::capi::surface::sheet::{gusset_scheme, gusset_sheet};
 use crate::surface::curve_through;
 
@@ -37,7 +37,7 @@ pub unsafe extern "C" fn gusset_curve_through_create(
 ) -> gusset_status {
     create(context, curve, "curve", |job| {
         let (scheme, closed) = (choice(scheme)?, flag(closed, "closed")?);
-        Ok(gusset_curve(curve_through(&points(nodes, count, 3)?, closed, scheme, job)?))
+        Ok(gusset_curve(curve_through(&read_points(nodes, count, 3)?, closed, scheme, job)?))
     })
 }
 
@@ -56,11 +56,11 @@ pub unsafe extern "C" fn gusset_sheet_curve_create(
     curve: *mut *mut gusset_curve,
 ) -> gusset_status {
     create(context, curve, "curve", |job| {
-        let sheet = &handle::get(sheet, "sheet")?.0;
+        let sheet = &handle::get_object(sheet, "sheet")?.0;
         Ok(gusset_curve(match along {
             GUSSET_ALONG_ROWS => sheet.row_curve(parameter, job)?,
             GUSSET_ALONG_COLUMNS => sheet.column_curve(parameter, job)?,
-            other => return Err(Failure::unknown("along", other.into())),
+            other => return Err(Failure::unknown_value("along", other.into())),
         }))
     })
 }
@@ -84,7 +84,7 @@ pub unsafe extern "C" fn gusset_curve_intersect_line_create(
     places: *mut *mut gusset_places,
 ) -> gusset_status {
     create(context, places, "places", |job| {
-        let (curve, line) = (view(curve, "curve")?, lines(line, 1)?[0]);
+        let (curve, line) = (view_of_curve(curve, "curve")?, read_lines(line, 1)?[0]);
         let found = line.meetings(&curve, within, &job.part(0.0, 0.9))?;
         gusset_places::from_meetings(&found, &curve, &job.part(0.9, 1.0))
     })

@@ -1,13 +1,13 @@
 //! Distances: Nearest points of a surface and a line, plane, curve or surface.
 
 use crate::capi::context::{answer_struct, gusset_context};
-use crate::capi::curve::{gusset_curve, gusset_place, view};
+use crate::capi::curve::{gusset_curve, gusset_place, view_of_curve};
 use crate::capi::glue::versioned;
 use crate::capi::handle;
 use crate::capi::input;
 use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::line_intersection::{gusset_line, lines};
-use crate::capi::surface::{gusset_surface, gusset_surface_place, read};
+use crate::capi::surface::line_intersection::{gusset_line, read_lines};
+use crate::capi::surface::{gusset_surface, gusset_surface_place, surface_of_handle};
 use crate::surface::Approach;
 use glam::DVec3;
 
@@ -128,12 +128,12 @@ pub unsafe extern "C" fn gusset_surface_distance(
     report: *mut gusset_distance_report,
 ) -> gusset_status {
     answer_struct(context, (report, "report"), |job| {
-        let (surface, target) = (read(surface)?, input::read(target, false, "target")?);
+        let (surface, target) = (surface_of_handle(surface)?, input::read(target, false, "target")?);
         let tolerance = (tolerance != 0.0).then_some(tolerance);
         let field = |failure: Failure| failure.with_field("target");
         Ok(match target.kind {
             GUSSET_TARGET_LINE => {
-                let found = surface.distance_to_line(&lines(&raw const target.line, 1)?[0], tolerance, job)?;
+                let found = surface.distance_to_line(&read_lines(&raw const target.line, 1)?[0], tolerance, job)?;
                 gusset_distance_report { parameter: found.other, ..gusset_distance_report::new(&found) }
             }
             GUSSET_TARGET_PLANE => {
@@ -142,15 +142,16 @@ pub unsafe extern "C" fn gusset_surface_distance(
                 gusset_distance_report { parameter: found.other, ..gusset_distance_report::new(&found) }
             }
             GUSSET_TARGET_CURVE => {
-                let found = surface.distance_to_curve(&view(target.curve, "curve").map_err(field)?, tolerance, job)?;
+                let found =
+                    surface.distance_to_curve(&view_of_curve(target.curve, "curve").map_err(field)?, tolerance, job)?;
                 gusset_distance_report { curve_place: found.other.into(), ..gusset_distance_report::new(&found) }
             }
             GUSSET_TARGET_SURFACE => {
-                let other = handle::get(target.surface, "surface").map_err(field)?;
+                let other = handle::get_object(target.surface, "surface").map_err(field)?;
                 let found = surface.distance_to_surface(&other.0, tolerance, job)?;
                 gusset_distance_report { other_place: found.other.into(), ..gusset_distance_report::new(&found) }
             }
-            other => return Err(Failure::unknown("kind", other.into())),
+            other => return Err(Failure::unknown_value("kind", other.into())),
         })
     })
 }

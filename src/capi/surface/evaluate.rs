@@ -1,11 +1,11 @@
 //! Points: Points, normals and curvatures at places of a surface.
 
 use crate::capi::context::{guard_change, gusset_context};
-use crate::capi::curve::times;
+use crate::capi::curve::checked_product;
 use crate::capi::glue::{c_enum, fixed};
 use crate::capi::input::{self, Choice};
 use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::{gusset_surface, gusset_surface_place, read};
+use crate::capi::surface::{gusset_surface, gusset_surface_place, surface_of_handle};
 use crate::error::{Element, Error};
 use crate::surface::{LocalGeometry, NormalKind, Place};
 use gusset_base::alloc;
@@ -85,15 +85,15 @@ impl From<LocalGeometry> for gusset_surface_point {
 }
 
 /// Places located between two progress reports.
-const LOCATED: usize = 1 << 20;
+const PLACES_PER_REPORT: usize = 1 << 20;
 
 /// Reads the caller's places on a surface, at any alignment.
-pub(crate) fn surface_places(data: *const gusset_surface_place, count: usize) -> Result<Vec<Place>, Failure> {
+pub(crate) fn read_surface_places(data: *const gusset_surface_place, count: usize) -> Result<Vec<Place>, Failure> {
     let place = |(k, given): (usize, gusset_surface_place)| match given.reserved {
         0 => Ok(Place { sheet: given.sheet, cell: [given.row, given.column], u: given.u, v: given.v }),
-        other => Err(Failure::unknown("reserved", other.into()).with_item(k)),
+        other => Err(Failure::unknown_value("reserved", other.into()).with_item(k)),
     };
-    alloc::try_collect(input::items(data, count, "places")?.enumerate().map(place))
+    alloc::try_collect(input::input_items(data, count, "places")?.enumerate().map(place))
 }
 
 /// Evaluates a surface at places.
@@ -110,9 +110,9 @@ pub unsafe extern "C" fn gusset_surface_evaluate(
     count: usize,
     results: *mut gusset_surface_point,
 ) -> gusset_status {
-    let results = input::cleared(results, count, "results");
+    let results = input::cleared_result_buffer(results, count, "results");
     guard_change(context, |job| {
-        let (results, surface, places) = (results?, read(surface)?, surface_places(places, count)?);
+        let (results, surface, places) = (results?, surface_of_handle(surface)?, read_surface_places(places, count)?);
         let found = surface.evaluate(&places, job)?;
         job.finish()?;
         results.iter_mut().zip(found).for_each(|(result, local)| *result = local.into());
@@ -139,13 +139,13 @@ pub unsafe extern "C" fn gusset_surface_locate(
     count: usize,
     places: *mut gusset_surface_place,
 ) -> gusset_status {
-    let places = input::cleared(places, count, "places");
+    let places = input::cleared_result_buffer(places, count, "places");
     guard_change(context, |job| {
-        let (places, surface) = (places?, read(surface)?);
-        let bytes = input::bytes(parameters.cast(), times(count, 2, "parameters")?, 8, "parameters")?;
+        let (places, surface) = (places?, surface_of_handle(surface)?);
+        let bytes = input::input_bytes(parameters.cast(), checked_product(count, 2, "parameters")?, 8, "parameters")?;
         let mut found = alloc::with_capacity(count)?;
         for (k, pair) in bytes.chunks_exact(16).enumerate() {
-            job.step_every(LOCATED, k, count, "locating")?;
+            job.step_every(PLACES_PER_REPORT, k, count, "locating")?;
             let place = surface.place(sheet as usize, bytemuck::pod_read_unaligned(pair));
             found.push(gusset_surface_place::from(
                 place.map_err(|_| Error::NoSuch { element: Element::Place, index: k as u64 })?,

@@ -1,12 +1,12 @@
 //! Lines: Hits of lines and curves on a surface.
 
 use crate::capi::context::{create, guard_change, gusset_context, lend};
-use crate::capi::curve::{gusset_curve, gusset_place, view};
+use crate::capi::curve::{gusset_curve, gusset_place, view_of_curve};
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, choice, lent};
+use crate::capi::input::{self, choice, lend_list};
 use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::{gusset_surface, gusset_surface_place, read};
+use crate::capi::surface::{gusset_surface, gusset_surface_place, surface_of_handle};
 use crate::curve::Place;
 use crate::surface::line_intersection::{CurveHit, Hit, HitSelection, Line, Lines};
 use glam::DVec3;
@@ -120,8 +120,8 @@ impl From<&Hit> for gusset_surface_hit {
 }
 
 /// Reads the caller's lines, at any alignment.
-pub(crate) fn lines(lines: *const gusset_line, count: usize) -> Result<Vec<Line>, Failure> {
-    let lines = input::items(lines, count, "lines")?.map(|line: gusset_line| {
+pub(crate) fn read_lines(lines: *const gusset_line, count: usize) -> Result<Vec<Line>, Failure> {
+    let lines = input::input_items(lines, count, "lines")?.map(|line: gusset_line| {
         let (origin, direction) = (DVec3::from_array(line.origin), DVec3::from_array(line.direction));
         Line { origin, direction, from: line.from, to: line.to }
     });
@@ -154,13 +154,14 @@ pub unsafe extern "C" fn gusset_surface_hits_create(
     hits: *mut *mut gusset_surface_hits,
 ) -> gusset_status {
     create(context, hits, "hits", |job| {
-        let (surface, selection) = (read(surface)?, choice(selection)?);
+        let (surface, selection) = (surface_of_handle(surface)?, choice(selection)?);
         let split = if curve.is_null() { 1.0 } else { 0.5 };
-        let Lines { mut ends, hits } = surface.lines(&self::lines(lines, count)?, selection, &job.part(0.0, split))?;
+        let Lines { mut ends, hits } =
+            surface.lines(&self::read_lines(lines, count)?, selection, &job.part(0.0, split))?;
         let mut hits = alloc::collect(hits.iter().map(gusset_surface_hit::from))?;
         let mut on_curve = Vec::new();
         if !curve.is_null() {
-            let found = surface.curve(&view(curve, "curve")?, selection, &job.part(split, 1.0))?;
+            let found = surface.curve(&view_of_curve(curve, "curve")?, selection, &job.part(split, 1.0))?;
             let number = |place: Place| f64::from(place.segment) + place.t;
             let hit = |&CurveHit { at, span, place, point, normal, tangent, multiplicity }: &CurveHit| {
                 (&Hit { at: number(at), span: span.map(number), place, point, normal, tangent, multiplicity }).into()
@@ -188,10 +189,10 @@ pub unsafe extern "C" fn gusset_surface_first_hits(
     count: usize,
     hits: *mut gusset_surface_hit,
 ) -> gusset_status {
-    let out = input::cleared(hits, count, "hits");
+    let out = input::cleared_result_buffer(hits, count, "hits");
     guard_change(context, |job| {
-        let (out, surface) = (out?, read(surface)?);
-        let found = surface.first_hits(&self::lines(lines, count)?, job)?;
+        let (out, surface) = (out?, surface_of_handle(surface)?);
+        let found = surface.first_hits(&self::read_lines(lines, count)?, job)?;
         job.finish()?;
         for (out, hit) in out.iter_mut().zip(&found) {
             *out = hit.as_ref().map_or(bytemuck::Zeroable::zeroed(), gusset_surface_hit::from);
@@ -211,9 +212,9 @@ pub unsafe extern "C" fn gusset_surface_hits_get_view(
         struct_size: 0,
         query_count: found.ends.len() - 1,
         hit_count: found.hits.len(),
-        ends: lent(&found.ends),
-        hits: lent(&found.hits),
-        on_curve: lent(found.on_curve.as_flattened()),
+        ends: lend_list(&found.ends),
+        hits: lend_list(&found.hits),
+        on_curve: lend_list(found.on_curve.as_flattened()),
         on_curve_count: 3 * found.on_curve.len(),
     })
 }

@@ -19,7 +19,7 @@ pub mod curve;
 use crate::capi::context::{create, gusset_context, lend};
 use crate::capi::glue::{c_enum, fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, Choice, flag, lent};
+use crate::capi::input::{self, Choice, flag, lend_list};
 use crate::capi::mesh::gusset_indices;
 use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::sheet::gusset_sheet;
@@ -180,7 +180,7 @@ c_enum! { kind: ContactKind { GUSSET_CONTACT_POINT => Point, GUSSET_CONTACT_CROS
 
 impl gusset_surface_sheet {
     /// Returns the views of a surface's sheets.
-    pub(crate) fn all(surface: &Surface<'_>) -> Result<Vec<Self>, Error> {
+    pub(crate) fn views_of_sheets(surface: &Surface<'_>) -> Result<Vec<Self>, Error> {
         let (mut first_cell, mut first_node) = (0, 0);
         alloc::collect((0..surface.len()).map(|k| {
             let ([rows, columns], [closed_u, closed_v]) =
@@ -209,8 +209,8 @@ impl From<Contact> for gusset_surface_contact {
 }
 
 /// Returns the surface of a handle.
-pub(crate) fn read<'a>(surface: *const gusset_surface) -> Result<&'a Surface<'static>, Failure> {
-    Ok(&handle::get(surface, "surface")?.0)
+pub(crate) fn surface_of_handle<'a>(surface: *const gusset_surface) -> Result<&'a Surface<'static>, Failure> {
+    Ok(&handle::get_object(surface, "surface")?.0)
 }
 
 impl TryFrom<Paths> for gusset_surface_paths {
@@ -233,8 +233,8 @@ impl TryFrom<Paths> for gusset_surface_paths {
 }
 
 /// Reads the sheets of an array of handles; copies share their nodes.
-fn sheets(handles: *const *const gusset_sheet, count: usize) -> Result<Vec<Sheet<'static>>, Failure> {
-    let handles = handle::list(handles, count, "sheets")?;
+fn sheets_of_handles(handles: *const *const gusset_sheet, count: usize) -> Result<Vec<Sheet<'static>>, Failure> {
+    let handles = handle::get_objects(handles, count, "sheets")?;
     alloc::try_collect(handles.map(|handle| Ok(handle?.0.clone())))
 }
 
@@ -256,7 +256,7 @@ pub unsafe extern "C" fn gusset_surface_create(
 ) -> gusset_status {
     create(context, surface, "surface", |job| {
         let options = input::read(options, true, "options")?;
-        let given = self::sheets(sheets, count)?;
+        let given = self::sheets_of_handles(sheets, count)?;
         let tolerance = if options.tolerance == 0.0 { None } else { Some(options.tolerance) };
         let with_cones = flag(options.cones, "cones")?;
         let split = if with_cones { 0.8 } else { 1.0 };
@@ -264,7 +264,7 @@ pub unsafe extern "C" fn gusset_surface_create(
         if with_cones {
             made.build_cones(&job.part(split, 1.0))?;
         }
-        let sheets = gusset_surface_sheet::all(&made)?;
+        let sheets = gusset_surface_sheet::views_of_sheets(&made)?;
         Ok(gusset_surface(made, sheets))
     })
 }
@@ -286,16 +286,16 @@ pub unsafe extern "C" fn gusset_surface_paths_get_view(
         struct_size: 0,
         path_count: paths.closed.len(),
         point_count: paths.points.len(),
-        ends: gusset_indices::lend(&paths.ends),
-        closed: lent(&paths.closed),
-        levels: lent(&paths.levels),
-        points: lent(&paths.points).cast(),
-        normals: lent(&paths.normals).cast(),
-        places: lent(&paths.places),
-        others: lent(&paths.others),
-        unresolved: lent(&paths.unresolved),
+        ends: gusset_indices::lend_indices(&paths.ends),
+        closed: lend_list(&paths.closed),
+        levels: lend_list(&paths.levels),
+        points: lend_list(&paths.points).cast(),
+        normals: lend_list(&paths.normals).cast(),
+        places: lend_list(&paths.places),
+        others: lend_list(&paths.others),
+        unresolved: lend_list(&paths.unresolved),
         unresolved_count: paths.unresolved.len(),
-        contacts: lent(&paths.contacts),
+        contacts: lend_list(&paths.contacts),
         contact_count: paths.contacts.len(),
     })
 }

@@ -3,9 +3,9 @@
 use crate::capi::context::{create, guard_change, gusset_context, lend};
 use crate::capi::glue::{fixed, versioned};
 use crate::capi::handle::{self, handle};
-use crate::capi::input::{self, lent};
+use crate::capi::input::{self, lend_list};
 use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::{gusset_surface, gusset_surface_place, read};
+use crate::capi::surface::{gusset_surface, gusset_surface_place, surface_of_handle};
 use crate::error::Error;
 use crate::surface::{Closest, Minima};
 use glam::DVec3;
@@ -111,7 +111,7 @@ impl From<Option<Closest>> for gusset_surface_nearest_point {
 
 impl gusset_nearest_options {
     /// Returns the limit, or infinity if there is none.
-    fn limit(&self) -> f64 {
+    fn limit_or_infinity(&self) -> f64 {
         if self.limit == 0.0 { f64::INFINITY } else { self.limit }
     }
 }
@@ -136,14 +136,14 @@ pub unsafe extern "C" fn gusset_surface_nearest(
     options: *const gusset_nearest_options,
     points: *mut gusset_surface_nearest_point,
 ) -> gusset_status {
-    let mut out = input::results(points, count, "points");
+    let mut out = input::result_buffer(points, count, "points");
     out.iter_mut().for_each(|out| out.fill(None.into()));
     guard_change(context, |job| {
-        let (out, limit) = (out?, input::read(options, true, "options")?.limit());
-        let surface = read(surface)?;
+        let (out, limit) = (out?, input::read(options, true, "options")?.limit_or_infinity());
+        let surface = surface_of_handle(surface)?;
         Error::check_count("queries", count as u64, u32::MAX.into())?;
         let queries =
-            alloc::collect(input::items(queries.cast::<[f64; 3]>(), count, "queries")?.map(DVec3::from_array))?;
+            alloc::collect(input::input_items(queries.cast::<[f64; 3]>(), count, "queries")?.map(DVec3::from_array))?;
         let done = surface.closest_into(&queries, limit, out, gusset_surface_nearest_point::from, job);
         done.and_then(|()| job.finish()).inspect_err(|_| out.fill(None.into())).map_err(Failure::from)
     })
@@ -170,8 +170,8 @@ pub unsafe extern "C" fn gusset_surface_minima_create(
 ) -> gusset_status {
     create(context, points, "points", |job| {
         let options = input::read(options, true, "options")?;
-        let (surface, query) = (read(surface)?, input::vector(query, "query")?);
-        let found = surface.local_minima(query, options.limit(), options.max_count, job)?;
+        let (surface, query) = (surface_of_handle(surface)?, input::read_vector(query, "query")?);
+        let found = surface.local_minima(query, options.limit_or_infinity(), options.max_count, job)?;
         let Minima { points, complete, bound } = found;
         let points = alloc::collect(points.into_iter().map(|point| Some(point).into()))?;
         Ok(gusset_surface_points { points, bound, complete })
@@ -186,7 +186,7 @@ pub unsafe extern "C" fn gusset_surface_points_get_view(
     view: *mut gusset_surface_points_view,
 ) -> gusset_status {
     lend!(points, view, |found| {
-        let (points, count) = (lent(&found.points), found.points.len());
+        let (points, count) = (lend_list(&found.points), found.points.len());
         let (bound, complete) = (found.bound, found.complete.into());
         gusset_surface_points_view { struct_size: 0, points, count, bound, complete, reserved: 0 }
     })

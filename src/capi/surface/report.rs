@@ -2,7 +2,7 @@
 
 use crate::capi::context::lend;
 use crate::capi::glue::versioned;
-use crate::capi::input::lent;
+use crate::capi::input::lend_list;
 use crate::capi::status::gusset_status;
 use crate::capi::surface::{gusset_surface, gusset_surface_sheet};
 
@@ -56,7 +56,7 @@ pub unsafe extern "C" fn gusset_surface_get_report(
             low,
             high,
             cone_bytes: surface.cone_bytes(),
-            sheets: lent(sheets),
+            sheets: lend_list(sheets),
         }
     })
 }

@@ -3,7 +3,7 @@
 
 use crate::capi::context::{create, create_and_tell, gusset_context};
 use crate::capi::curve::frame::gusset_frame;
-use crate::capi::curve::{gusset_curve, points, times};
+use crate::capi::curve::{checked_product, gusset_curve, read_points};
 use crate::capi::glue::{c_enum, versioned};
 use crate::capi::handle;
 use crate::capi::input::{self, choice, flag};
@@ -104,12 +104,12 @@ versioned! { gusset_spline: 80, gusset_curve_net: 56 }
 c_enum! { kind: FrameSurface { GUSSET_FRAME_NODES => Nodes, GUSSET_FRAME_CURVES => Curves } }
 
 /// Borrows the caller's curves.
-fn curves<'a>(
+fn curves_of_handles<'a>(
     handles: *const *const gusset_curve,
     count: usize,
     name: &'static str,
 ) -> Result<Vec<CurveView<'a>>, Failure> {
-    let handles = handle::list(handles, count, name)?;
+    let handles = handle::get_objects(handles, count, name)?;
     alloc::try_collect(handles.map(|handle| Ok(handle?.0.view())))
 }
 
@@ -142,8 +142,8 @@ pub unsafe extern "C" fn gusset_sheet_from_patches_create(
             return Err(Error::OptionOutOfRange { option: "degree", value: degree as f64 }.into());
         }
         let each = (degrees[0] + 1) * (degrees[1] + 1);
-        let count = times(times(rows, columns, "patches")?, each, "control points")?;
-        let points = self::points(points, count, 3)?;
+        let count = checked_product(checked_product(rows, columns, "patches")?, each, "control points")?;
+        let points = self::read_points(points, count, 3)?;
         Ok(gusset_sheet(if degree_u.max(degree_v) <= 3 {
             Sheet::Cubic(Patches::new(&points, degrees, rows, columns)?)
         } else {
@@ -179,16 +179,19 @@ pub unsafe extern "C" fn gusset_sheet_from_spline_create(
 ) -> gusset_status {
     create(context, sheet, "sheet", |job| {
         let given = input::read(spline, false, "spline")?;
-        let points = points(given.points, times(given.count_u, given.count_v, "control points")?, 3)?;
-        let u = input::list(given.knots_u, given.knot_count_u, "knots_u")?;
-        let v = input::list(given.knots_v, given.knot_count_v, "knots_v")?;
+        let points = read_points(given.points, checked_product(given.count_u, given.count_v, "control points")?, 3)?;
+        let u = input::copy_input_items(given.knots_u, given.knot_count_u, "knots_u")?;
+        let v = input::copy_input_items(given.knots_v, given.knot_count_v, "knots_v")?;
         let closed = [flag(given.closed_u, "closed_u")?, flag(given.closed_v, "closed_v")?];
         let axes = [
             SplineAxis { degree: given.degree_u as usize, knots: &u, closed: closed[0] },
             SplineAxis { degree: given.degree_v as usize, knots: &v, closed: closed[1] },
         ];
-        let weights =
-            if given.weights.is_null() { None } else { Some(input::list(given.weights, points.len(), "weights")?) };
+        let weights = if given.weights.is_null() {
+            None
+        } else {
+            Some(input::copy_input_items(given.weights, points.len(), "weights")?)
+        };
         let counts = [given.count_u, given.count_v];
         let spline = Spline { points: &points, weights: weights.as_deref(), counts, axes };
         let options = SplineOptions {
@@ -222,8 +225,8 @@ pub unsafe extern "C" fn gusset_sheet_from_curves_create(
 ) -> gusset_status {
     create(context, sheet, "sheet", |job| {
         let given = input::read(net, false, "net")?;
-        let rows = curves(given.rows, given.row_count, "rows")?;
-        let columns = curves(given.columns, given.column_count, "columns")?;
+        let rows = curves_of_handles(given.rows, given.row_count, "rows")?;
+        let columns = curves_of_handles(given.columns, given.column_count, "columns")?;
         let closed = [flag(given.closed_u, "closed_u")?, flag(given.closed_v, "closed_v")?];
         let tolerance = if given.tolerance == 0.0 { None } else { Some(given.tolerance) };
         let net = CurveNet { rows: &rows, columns: &columns, closed, tolerance };
@@ -256,11 +259,11 @@ pub unsafe extern "C" fn gusset_sheet_offset_create(
     deviation: *mut f64,
     offset: *mut *mut gusset_sheet,
 ) -> gusset_status {
-    let out = input::optional_output(deviation, 0.0, "deviation");
+    let out = input::cleared_optional_output(deviation, 0.0, "deviation");
     let moved = |job: &Job<'_>| {
         let out = out?;
-        let distances = input::list(distances, distance_count, "distances")?;
-        let (made, worst) = handle::get(sheet, "sheet")?.0.offset(&distances, job)?;
+        let distances = input::copy_input_items(distances, distance_count, "distances")?;
+        let (made, worst) = handle::get_object(sheet, "sheet")?.0.offset(&distances, job)?;
         Ok((gusset_sheet(made), out.map(|out| (out, worst))))
     };
     create_and_tell(context, offset, "offset", moved, |told| {
@@ -284,7 +287,7 @@ pub unsafe extern "C" fn gusset_sheet_from_frame_create(
     sheet: *mut *mut gusset_sheet,
 ) -> gusset_status {
     create(context, sheet, "sheet", |job| {
-        let frame = handle::get(frame, "frame")?;
+        let frame = handle::get_object(frame, "frame")?;
         let kind = choice(kind)?;
         let (grid, curves) = (&frame.grid, [&frame.across.0, &frame.along.0]);
         let closed = [frame.ring, frame.closed];

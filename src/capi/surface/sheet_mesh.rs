@@ -3,8 +3,8 @@
 use crate::capi::context::{create, gusset_context};
 use crate::capi::glue::versioned;
 use crate::capi::handle;
-use crate::capi::input::{self, flag, lent};
-use crate::capi::mesh::result::{Made, gusset_result, report};
+use crate::capi::input::{self, flag, lend_list};
+use crate::capi::mesh::result::{OperationResult, gusset_result, report};
 use crate::capi::status::{Failure, gusset_status};
 use crate::capi::surface::gusset_surface_place;
 use crate::capi::surface::sheet::gusset_sheet;
@@ -77,9 +77,9 @@ pub unsafe extern "C" fn gusset_sheet_to_mesh(
 ) -> gusset_status {
     create(context, result, "result", |job| {
         let options = input::read(options, true, "options")?.checked()?;
-        let made = handle::get(sheet, "sheet")?.0.to_mesh(&options, job)?;
+        let made = handle::get_object(sheet, "sheet")?.0.to_mesh(&options, job)?;
         let places = alloc::collect(made.places.iter().map(|&place| gusset_surface_place::from(place)))?;
-        Ok(gusset_result(Made::SheetMesh(made, places)))
+        Ok(gusset_result(OperationResult::SheetMesh(made, places)))
     })
 }
 
@@ -92,11 +92,11 @@ pub unsafe extern "C" fn gusset_result_get_sheet_mesh(
     result: *const gusset_result,
     report: *mut gusset_sheet_mesh_report,
 ) -> gusset_status {
-    report!(result, report, "gusset_sheet_to_mesh", Made::SheetMesh(made, places) => gusset_sheet_mesh_report {
+    report!(result, report, "gusset_sheet_to_mesh", OperationResult::SheetMesh(made, places) => gusset_sheet_mesh_report {
         struct_size: 0,
         vertex_count: places.len(),
-        places: lent(places),
-        normals: lent(&made.normals).cast(),
+        places: lend_list(places),
+        normals: lend_list(&made.normals).cast(),
         deviation: made.deviation,
     })
 }

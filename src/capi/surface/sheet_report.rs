@@ -142,7 +142,7 @@ pub struct gusset_cell_arrays {
 versioned! { gusset_sheet_measures: 40, gusset_cell_arrays: 56 }
 
 /// Returns the caller's buffer for a number a cell; `None` if it is omitted.
-fn buffer<'a>(
+fn optional_cell_buffer<'a>(
     pointer: *mut f64,
     needed: usize,
     capacity: usize,
@@ -155,7 +155,7 @@ fn buffer<'a>(
         let message = format!("the buffer has room for {capacity} cells, but {needed} are needed");
         return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
     }
-    input::results(pointer, needed, name).map(Some)
+    input::result_buffer(pointer, needed, name).map(Some)
 }
 
 /// Measures a sheet and its cells.
@@ -177,11 +177,11 @@ pub unsafe extern "C" fn gusset_sheet_measure(
 ) -> gusset_status {
     let out = if measures.is_null() { Ok(None) } else { input::output_struct(measures, "measures").map(Some) };
     guard_change(context, |job| {
-        let (out, sheet) = (out?, &handle::get(sheet, "sheet")?.0);
+        let (out, sheet) = (out?, &handle::get_object(sheet, "sheet")?.0);
         let cells = input::read(cells, true, "cells")?;
         let all = GUSSET_SHEET_MEASURE_DIAMETERS | GUSSET_SHEET_MEASURE_CURVATURE | GUSSET_SHEET_MEASURE_CREASE;
         if parts & !all != 0 {
-            return Err(Failure::unknown("parts", parts.into()));
+            return Err(Failure::unknown_value("parts", parts.into()));
         }
         let is_wanted = |part| out.is_some() && (parts == 0 || parts & part != 0);
         let needed = sheet.cells().iter().product();
@@ -193,7 +193,7 @@ pub unsafe extern "C" fn gusset_sheet_measure(
             (cells.triangles, "triangles"),
         ];
         let [euclidean, intrinsic, errors, bilinear, triangles] =
-            wanted.map(|(to, name)| buffer(to, needed, cells.capacity, name));
+            wanted.map(|(to, name)| optional_cell_buffer(to, needed, cells.capacity, name));
         let (euclidean, intrinsic, errors) = (euclidean?, intrinsic?, errors?);
         let (bilinear, triangles) = (bilinear?, triangles?);
 
@@ -220,7 +220,7 @@ pub unsafe extern "C" fn gusset_sheet_measure(
             to.into_iter().zip(&flat).for_each(|(to, from)| to.iter_mut().zip(from).for_each(|(x, y)| *x = y[k]));
         }
         if let Some(out) = out {
-            out.write(gusset_sheet_measures {
+            out.write_known_fields(gusset_sheet_measures {
                 struct_size: 0,
                 diameter,
                 intrinsic_diameter,

@@ -5,8 +5,8 @@ use crate::capi::glue::versioned;
 use crate::capi::handle;
 use crate::capi::input;
 use crate::capi::status::{Failure, gusset_status};
-use crate::capi::surface::contour::{gusset_spacing_rule, spacing};
-use crate::capi::surface::{gusset_surface, gusset_surface_paths, read};
+use crate::capi::surface::contour::{gusset_spacing_rule, to_point_spacing};
+use crate::capi::surface::{gusset_surface, gusset_surface_paths, surface_of_handle};
 use crate::error::Error;
 use crate::surface::contour::PointSpacing;
 use crate::surface::surface_intersection::Options;
@@ -35,14 +35,14 @@ versioned! { gusset_intersection_options: 32 reserved }
 
 fn read_options(options: *const gusset_intersection_options) -> Result<Options, Failure> {
     let options = input::read(options, true, "options")?;
-    let chord = match spacing(options.spacing, options.chord, 0)? {
+    let chord = match to_point_spacing(options.spacing, options.chord, 0)? {
         PointSpacing::Auto => None,
         PointSpacing::CellEdges => Some(f64::INFINITY),
         PointSpacing::Chord(chord) if chord.is_infinite() => {
             return Err(Error::OptionOutOfRange { option: "chord", value: chord }.into());
         }
         PointSpacing::Chord(chord) => Some(chord),
-        PointSpacing::Leus(_) => return Err(Failure::unknown("spacing", options.spacing.into())),
+        PointSpacing::Leus(_) => return Err(Failure::unknown_value("spacing", options.spacing.into())),
     };
     Ok(Options { chord, tolerance: (options.tolerance != 0.0).then_some(options.tolerance) })
 }
@@ -112,11 +112,11 @@ pub unsafe extern "C" fn gusset_surface_intersection_create(
     paths: *mut *mut gusset_surface_paths,
 ) -> gusset_status {
     create(context, paths, "paths", |job| {
-        let (surface, options) = (read(surface)?, read_options(options)?);
+        let (surface, options) = (surface_of_handle(surface)?, read_options(options)?);
         let found = if other.is_null() {
             surface.meet_itself(&options, job)?
         } else {
-            surface.meet(&handle::get(other, "other")?.0, &options, job)?
+            surface.meet(&handle::get_object(other, "other")?.0, &options, job)?
         };
         Ok(found.try_into()?)
     })

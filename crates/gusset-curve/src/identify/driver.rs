@@ -48,7 +48,7 @@ pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<
     options.check()?;
     let options = &options.resolved();
     let batches = batches(outlines, outlines.check()?)?;
-    let threads = par::at_most(batches.len(), job.threads());
+    let threads = par::resolve_thread_count(batches.len(), job.threads());
     let mut whole = Worker::new(outlines, options);
     if let (Some(first), Some(last)) = (batches.first(), batches.last()) {
         whole.reserve(first.start..last.end)?;

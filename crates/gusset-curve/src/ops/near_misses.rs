@@ -27,7 +27,8 @@ use glam::{DVec2, DVec3};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::subdivision::{
-    BoxTest, Limits, Stack, Subdivision, UnresolvedBox, UnresolvedCluster, cluster, subdivide,
+    BoxStack, BoxTest, Subdivision, SubdivisionLimits, UnresolvedBox, UnresolvedCluster, cluster_touching_boxes,
+    subdivide,
 };
 use gusset_base::geom::{Aabb, box_tree::BoxTree};
 use gusset_base::job::Job;
@@ -237,7 +238,7 @@ impl Subdivision<[Part; 2], 2> for PairSearch<'_, '_> {
         halve(pair, number)
     }
 
-    fn reserve(stack: &mut Stack<[Part; 2]>) -> Result<()> {
+    fn reserve(stack: &mut BoxStack<[Part; 2]>) -> Result<()> {
         alloc::reserve(stack, 2)
     }
 }
@@ -247,7 +248,7 @@ impl NearMissSearch<'_> {
         let whole = [0, 1].map(|k| self.sides[k].segment(numbers[k]));
         let first = whole.map(|controls| Part::whole(SegmentBuffer::new(controls)));
         let max_pairs = if self.given_up < MAX_GIVEN_UP { MAX_PAIRS } else { MAX_PAIRS_FOR_SIMPLE_MINIMA };
-        let limits = Limits { max_depth: u32::MAX, max_boxes: max_pairs + 1 };
+        let limits = SubdivisionLimits { max_depth: u32::MAX, max_boxes: max_pairs + 1 };
         let mut search = PairSearch { search: self, numbers, whole, exhausted: false };
         subdivide(&mut search, first, &mut Vec::new(), limits)?;
         self.given_up += u32::from(search.exhausted);
@@ -339,7 +340,7 @@ impl NearMissSearch<'_> {
         let mut unresolved = std::mem::take(&mut self.unresolved);
         sort::stable(&mut unresolved, &|x, y| compare_places(x.middle.truncate().into(), y.middle.truncate().into()));
         let mut clusters = Vec::new();
-        let cluster_of = cluster(&unresolved, &mut clusters, || job.step(0.0, STAGE))?;
+        let cluster_of = cluster_touching_boxes(&unresolved, &mut clusters, || job.step(0.0, STAGE))?;
         let mut valleys = Vec::new();
         for (k, start) in unresolved.iter().enumerate() {
             job.step_every(DESCENTS_PER_REPORT, k, unresolved.len(), STAGE)?;

@@ -155,7 +155,7 @@ impl<'a> CurveSearch<'a> {
         let local = CurveView::trusted(&self.points, self.curve.ends(), false);
         let mut best = (Place::START, local.segment(0)[0].distance_squared(q));
         let (mut looked, mut heard) = (0_usize, Ok(()));
-        self.tree.nearest(q, best.1, &mut |k| {
+        self.tree.visit_nearest(q, best.1, &mut |k| {
             looked += 1;
             if looked.is_multiple_of(SEGMENTS_PER_REPORT) {
                 heard = job.step(0.0, STAGE);
@@ -206,7 +206,7 @@ impl<'a> CurveSetSearch<'a> {
         // searched.
         let local = self.frame.point(q).clamp(DVec3::splat(-MAX_COORDINATE), DVec3::splat(MAX_COORDINATE));
         let (mut best, mut heard) = (None::<(usize, Nearest)>, Ok(()));
-        self.tree.nearest(local, f64::INFINITY, &mut |k| {
+        self.tree.visit_nearest(local, f64::INFINITY, &mut |k| {
             let (curve, search) = &self.searches[k];
             let found = match search.nearest(q, job) {
                 Ok(found) => found,

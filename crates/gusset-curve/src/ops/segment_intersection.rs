@@ -27,7 +27,7 @@ use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::Aabb;
-use gusset_base::geom::subdivision::{BoxTest, Limits, Stack, Subdivision, subdivide};
+use gusset_base::geom::subdivision::{BoxStack, BoxTest, Subdivision, SubdivisionLimits, subdivide};
 use gusset_base::sort;
 
 /// In a frame of size 1, boxes closer than this count as touching.
@@ -87,7 +87,7 @@ pub(super) fn intersect(a: &[DVec3], b: &[DVec3], joined: Joined, found: &mut Se
         MAX_PART_PAIRS_AFTER_GIVING_UP
     };
     let first = [a, b].map(|controls| Part::whole(SegmentBuffer::new(controls)));
-    let limits = Limits { max_depth: u32::MAX, max_boxes: usize::MAX };
+    let limits = SubdivisionLimits { max_depth: u32::MAX, max_boxes: usize::MAX };
     subdivide(&mut PairSearch { whole: [a, b], joined, pairs_left: max_pairs, found }, first, &mut Vec::new(), limits)?;
     found.given_up += u32::from(found.undecided);
     let overlaps = &found.overlaps;
@@ -156,7 +156,7 @@ impl Subdivision<[Part; 2], 2> for PairSearch<'_> {
         halve(pair, number)
     }
 
-    fn reserve(stack: &mut Stack<[Part; 2]>) -> Result<()> {
+    fn reserve(stack: &mut BoxStack<[Part; 2]>) -> Result<()> {
         alloc::reserve(stack, 2)
     }
 }

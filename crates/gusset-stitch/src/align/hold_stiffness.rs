@@ -4,7 +4,7 @@ use super::motion_system::MotionVector;
 use super::sample_pairs::SamplePairReport;
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::linear::eigen::eigen;
+use gusset_base::geom::linear::eigen::symmetric_eigen;
 
 /// The stiffness with which overlaps hold a piece.
 #[derive(Clone, Copy)]
@@ -43,7 +43,7 @@ pub(super) fn measure_hold_stiffness(
         if weight <= 0.0 {
             return HoldStiffness { least: 0.0, noise: 0.0 };
         }
-        let (values, _) = eigen(sum.map(|row| row.map(|x| x / weight)));
+        let (values, _) = symmetric_eigen(sum.map(|row| row.map(|x| x / weight)));
         HoldStiffness { least: values.into_iter().fold(f64::INFINITY, f64::min).max(0.0), noise: turn / weight / 4.0 }
     }))
 }

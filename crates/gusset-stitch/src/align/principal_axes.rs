@@ -6,7 +6,7 @@ use super::pose::Pose;
 use glam::{DMat3, DVec3};
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::linear::eigen::eigen;
+use gusset_base::geom::linear::eigen::symmetric_eigen;
 use gusset_base::job::Job;
 
 /// Number of rounds for each of the four ways before they are compared.
@@ -54,7 +54,7 @@ pub(super) fn align_principal_axes(scene: &AlignmentScene<'_>, job: &Job<'_>) ->
 
 /// Returns the principal axes of a piece as columns, the longest first, right-handed.
 fn principal_axes(scan: &CentredPiece) -> DMat3 {
-    let (values, vectors) = eigen(scan.covariance);
+    let (values, vectors) = symmetric_eigen(scan.covariance);
     let mut order = [0, 1, 2];
     order.sort_by(|&i, &j| values[j].total_cmp(&values[i]));
     let axis = |k: usize| DVec3::new(vectors[0][order[k]], vectors[1][order[k]], vectors[2][order[k]]);

@@ -8,7 +8,7 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
 use gusset_base::sort::Buckets;
-use gusset_base::sparse::{Coupling, Symmetric, dissect};
+use gusset_base::sparse::{SparseSymmetric, UnknownCouplings, dissect};
 
 /// Number of vertices between two progress reports.
 const VERTICES_PER_REPORT: usize = 1 << 16;
@@ -19,7 +19,7 @@ pub(super) struct ChartSystem {
     place: Vec<u32>,
     /// For each place, the earlier places whose vertices are neighbours of its vertex.
     earlier: Buckets<u32>,
-    matrix: Symmetric,
+    matrix: SparseSymmetric,
     right: Vec<DVec3>,
     /// True for vertices with a fixed position.
     is_fixed: Vec<bool>,
@@ -28,16 +28,16 @@ pub(super) struct ChartSystem {
 /// Couples each vertex with its neighbours.
 struct NeighbourCoupling<'a>(&'a Buckets<u32>);
 
-impl Coupling for NeighbourCoupling<'_> {
+impl UnknownCouplings for NeighbourCoupling<'_> {
     fn each_row(&self, v: u32, mut visit: impl FnMut(usize)) {
         visit(v as usize);
     }
 
-    fn reach(&self) -> usize {
+    fn coupling_reach(&self) -> usize {
         1
     }
 
-    fn touches(&self, v: u32, found: impl Fn(usize) -> bool) -> bool {
+    fn is_coupled_to_marked(&self, v: u32, found: impl Fn(usize) -> bool) -> bool {
         self.0.get(v as usize).iter().any(|&w| found(w as usize))
     }
 }
@@ -84,7 +84,7 @@ impl ChartSystem {
             }
         }
         job.step(1.0, STAGE)?;
-        let matrix = Symmetric { start, entries, diagonal: alloc::filled(0.0, 2 * n)? };
+        let matrix = SparseSymmetric { start, entries, diagonal: alloc::filled(0.0, 2 * n)? };
         let right = alloc::filled(DVec3::ZERO, 2 * n)?;
         Ok(ChartSystem { place, earlier, matrix, right, is_fixed: alloc::filled(false, n)? })
     }

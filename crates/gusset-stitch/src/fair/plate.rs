@@ -17,7 +17,7 @@ use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
-use gusset_base::sparse::{Symmetric, dissect};
+use gusset_base::sparse::{SparseSymmetric, dissect};
 use gusset_mesh::NONE;
 
 /// Number of vertices between two progress reports.
@@ -132,7 +132,7 @@ fn assemble_plate_equations(
     plate: &Plate<'_>,
     (unit, origin): (f64, DVec3),
     job: &Job<'_>,
-) -> Result<(Symmetric, Vec<DVec3>)> {
+) -> Result<(SparseSymmetric, Vec<DVec3>)> {
     let centres = plate.centres;
     let exact = match plate.continuity {
         Continuity::C1 => None,
@@ -147,7 +147,7 @@ fn assemble_plate_equations(
         place[v as usize] = k as u32;
     }
     let (n, assembly) = (unknowns.len(), job.part(0.3, 1.0));
-    let mut matrix = Symmetric {
+    let mut matrix = SparseSymmetric {
         start: alloc::with_capacity(n + 1)?,
         entries: alloc::with_capacity(10 * n)?,
         diagonal: alloc::with_capacity(n)?,

@@ -2,7 +2,7 @@
 
 use super::continuity::Continuity;
 use super::one_rings::OneRings;
-use gusset_base::sparse::Coupling;
+use gusset_base::sparse::UnknownCouplings;
 
 /// The couplings of a plate.
 pub(super) struct PlateCouplings<'a> {
@@ -12,19 +12,19 @@ pub(super) struct PlateCouplings<'a> {
     pub(super) continuity: Continuity,
 }
 
-impl Coupling for PlateCouplings<'_> {
+impl UnknownCouplings for PlateCouplings<'_> {
     fn each_row(&self, v: u32, mut visit: impl FnMut(usize)) {
         self.rings.laplacian_rows().row(v as usize).for_each(|(row, _)| visit(row));
     }
 
-    fn reach(&self) -> usize {
+    fn coupling_reach(&self) -> usize {
         match self.continuity {
             Continuity::C1 => 2,
             Continuity::C2 => 3,
         }
     }
 
-    fn touches(&self, v: u32, found: impl Fn(usize) -> bool) -> bool {
+    fn is_coupled_to_marked(&self, v: u32, found: impl Fn(usize) -> bool) -> bool {
         let found = |row: usize| self.is_row[row] && found(row);
         let mut rows = self.rings.laplacian_rows().row(v as usize).filter(|&(row, _)| self.is_row[row]);
         match self.continuity {

@@ -12,7 +12,7 @@ use super::vertex_corners::VertexCorners;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::kd_tree::{KdTree, Radius};
+use gusset_base::geom::kd_tree::{KdTree, ScaledRadius};
 use gusset_base::job::Job;
 use gusset_base::sort;
 use gusset_base::sort::sort;
@@ -151,7 +151,7 @@ impl<'a> NearVertexSearch<'a> {
             }
             NearVertexSearch::Within { tree, reach } => {
                 let mut outcome = Ok(());
-                let radius = |i: usize| Radius::new(reach[i].max(f64::from_bits(1)));
+                let radius = |i: usize| ScaledRadius::new(reach[i].max(f64::from_bits(1)));
                 tree.for_each_within(points[i], radius(i), &mut |squared, j| {
                     let difference = points[j as usize] - points[i];
                     if outcome.is_ok() && (reach[j as usize] >= reach[i] || radius(j as usize).contains(difference)) {

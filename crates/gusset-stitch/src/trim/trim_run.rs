@@ -10,7 +10,7 @@ use crate::align::common_length_unit;
 use gusset_base::alloc;
 use gusset_base::error::{Element, Error, Result};
 use gusset_base::geom::Aabb;
-use gusset_base::geom::kd_tree::{KdTree, Radius};
+use gusset_base::geom::kd_tree::{KdTree, ScaledRadius};
 use gusset_base::geom::triangle_places::TriangleTree;
 use gusset_base::job::Job;
 use gusset_base::sort::sort_distinct;
@@ -172,7 +172,7 @@ fn choose_kept_faces(
         }
     }
     let trees = alloc::try_collect(rims.iter().map(|rims| KdTree::new(&rims.points, job, STAGE)))?;
-    let gap = Radius::new((MIN_GAP_MEAN_EDGES * layer.scan.spacing).max(f64::MIN_POSITIVE));
+    let gap = ScaledRadius::new((MIN_GAP_MEAN_EDGES * layer.scan.spacing).max(f64::MIN_POSITIVE));
     let is_near_rim = |v: usize| {
         let bars = |rims: &KeptFaceRims, r: u32| rims.normals[r as usize].dot(layer.scan.normals[v]) > 0.0;
         // Borders that already meet need no gap.

@@ -19,7 +19,7 @@
 use super::side::{crossings, positive};
 use crate::subdivision::Field;
 use glam::DVec2;
-use gusset_base::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
+use gusset_base::geom::subdivision::{BoxTest, Subdivision, SubdivisionLimits, subdivide};
 use gusset_base::sort;
 use std::convert::Infallible;
 
@@ -116,7 +116,7 @@ pub(super) fn arcs<const M: usize>(
     let marks = std::mem::take(marks);
     let whole = MarkedPart { field: *field, marks, corners, from: DVec2::ZERO, size: 1.0 };
     let mut search = LinkSearch { rounding_error, keys, add, unresolved: None };
-    let limits = Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PARTS };
+    let limits = SubdivisionLimits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PARTS };
     let Ok(()) = subdivide(&mut search, whole, &mut Vec::new(), limits);
     search.unresolved.map(|(_, place)| place)
 }

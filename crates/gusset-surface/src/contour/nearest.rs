@@ -24,7 +24,7 @@ use crate::subdivision::Field;
 use crate::{Place, Sheet, Surface, each_sheet};
 use glam::{DVec2, DVec3};
 use gusset_base::error::{Error, Result};
-use gusset_base::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
+use gusset_base::geom::subdivision::{BoxTest, Subdivision, SubdivisionLimits, subdivide};
 use gusset_base::job::Job;
 use gusset_base::sort;
 use gusset_base::{alloc, par};
@@ -257,7 +257,7 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
         let (normal, rounding_error) = (std::array::from_fn(|k| of.normal::<H>(k)), self.normals.rounding_error(&of));
         let whole = NormalPart::new(normal, DVec2::ZERO, 1.0, rounding_error, &self.goal);
         let mut search = CellSearch::<M> { goal: &self.goal, sheet: self.sheet, cell, best, bound: f64::INFINITY };
-        let limits = Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PARTS };
+        let limits = SubdivisionLimits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PARTS };
         let Ok(()) = subdivide(&mut search, whole, &mut Vec::new(), limits);
         search.bound
     }

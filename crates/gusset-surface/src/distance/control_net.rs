@@ -6,7 +6,7 @@
 use crate::Jet;
 use glam::DVec3;
 use gusset_base::geom::Aabb;
-use gusset_base::geom::bernstein::{halve, reduce};
+use gusset_base::geom::bernstein::{halve, reduce_by_casteljau};
 
 /// Largest number of control points in a row or a column.
 const MAX_LINE: usize = gusset_curve::MAX_DEGREE + 1;
@@ -149,7 +149,7 @@ fn derivatives(c: &mut [DVec3], t: f64) -> [DVec3; 3] {
         1 => [c[0], DVec3::ZERO, DVec3::ZERO],
         2 => [c[0].lerp(c[1], t), c[1] - c[0], DVec3::ZERO],
         _ => {
-            reduce(c, t, 3);
+            reduce_by_casteljau(c, t, 3);
             let (left, right) = (c[0].lerp(c[1], t), c[1].lerp(c[2], t));
             let second = (c[2] - 2.0 * c[1] + c[0]) * (degree * (degree - 1.0));
             [left.lerp(right, t), (right - left) * degree, second]

@@ -14,7 +14,7 @@ use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::Aabb;
-use gusset_base::geom::hull_distance::Corner;
+use gusset_base::geom::hull_distance::SimplexCorner;
 use gusset_curve::CurveView;
 use std::ops::Range;
 
@@ -157,8 +157,8 @@ impl<'a> Pieces<'a> {
     pub(super) fn start_parameters(
         &self,
         piece: usize,
-        corners: &[Corner],
-        side: impl Fn(&Corner) -> usize,
+        corners: &[SimplexCorner],
+        side: impl Fn(&SimplexCorner) -> usize,
     ) -> [f64; 2] {
         let Some(net) = self.net(piece) else { return [0.5; 2] };
         let mut sum = [0.0; 2];

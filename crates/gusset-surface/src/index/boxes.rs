@@ -130,7 +130,7 @@ impl OrientedBox {
         // The extent of the displacements along the axes.
         let (middle, half) = (by.centre(), 0.5 * by.size());
         let reach = DVec3::from_array([0, 1, 2].map(|k| axes.row(k).abs().dot(half)));
-        let bounds = bounds.sum(Aabb { low: axes * middle - reach, high: axes * middle + reach });
+        let bounds = bounds.minkowski_sum(Aabb { low: axes * middle - reach, high: axes * middle + reach });
         let middle = axes.transpose() * bounds.centre();
         oriented.centre = single(middle);
         let centre = axes * double(oriented.centre);

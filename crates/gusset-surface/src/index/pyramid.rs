@@ -170,7 +170,7 @@ impl Pyramid {
         let Aabb { low, high } = self.bounds();
         let made = Cones::build(cells, low.abs().max(high.abs()).max_element(), job)?;
         // The surface keeps this memory, so it must not come from the reserve.
-        job.memory()?;
+        job.check_memory()?;
         Ok(self.cones.get_or_init(|| made))
     }
 
@@ -221,7 +221,7 @@ fn build_row<const N: usize>(
         let size = hull.low.abs().max(hull.high.abs()).max(origin.abs()).max_element();
         let displacement = displacement.inflated(16.0 * f64::EPSILON * size);
         displacements[c] = PackedBox::new(displacement);
-        groups[c / 2].set(2 * (row % 2) + c % 2, hull.sum(displacement));
+        groups[c / 2].set(2 * (row % 2) + c % 2, hull.minkowski_sum(displacement));
         let width = right - left + 1;
         let (a, b) = (points[0], points[width - 1]);
         let (d, e) = (points[count - width], points[count - 1]);

@@ -64,7 +64,7 @@ impl Surface<'_> {
     fn finds(&self, curve: &CurveView<'_>, selection: HitSelection, job: &Job<'_>) -> Result<Vec<CurveFind>> {
         let mut finds = Vec::new();
         let count = curve.len();
-        let round = SEGMENTS_PER_TASK * par::at_most(count.div_ceil(SEGMENTS_PER_TASK), job.threads());
+        let round = SEGMENTS_PER_TASK * par::resolve_thread_count(count.div_ceil(SEGMENTS_PER_TASK), job.threads());
         for from in (0..count).step_by(round) {
             job.step(from as f64 / count as f64, "curve and surface")?;
             let to = count.min(from + round);

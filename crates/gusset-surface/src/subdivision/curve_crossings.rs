@@ -22,7 +22,8 @@ use gusset_base::geom::Aabb;
 use gusset_base::geom::aabb::range;
 use gusset_base::geom::bernstein::{evaluate, evaluate_with_slope, halves};
 use gusset_base::geom::subdivision::{
-    BoxTest, Limits, Stack, Subdivision, UnresolvedBox, UnresolvedCluster, cluster, subdivide,
+    BoxStack, BoxTest, Subdivision, SubdivisionLimits, UnresolvedBox, UnresolvedCluster, cluster_touching_boxes,
+    subdivide,
 };
 use std::convert::Infallible;
 
@@ -72,7 +73,7 @@ struct CurvePatchPair<const M: usize, const N: usize> {
 /// Memory that searches reuse.
 #[derive(Default)]
 pub(crate) struct CurveWorkspace<const M: usize, const N: usize> {
-    stack: Stack<CurvePatchPair<M, N>>,
+    stack: BoxStack<CurvePatchPair<M, N>>,
     boxes: Vec<UnresolvedBox>,
 }
 
@@ -110,9 +111,9 @@ pub(crate) fn crossings<const M: usize, const N: usize>(
     found.unresolved.clear();
     let first = whole.clone();
     let mut search = CrossingSearch { whole, rounding_error, tolerance, simple: &mut found.simple, boxes };
-    let limits = Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PAIRS };
+    let limits = SubdivisionLimits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PAIRS };
     let Ok(()) = subdivide(&mut search, first, stack, limits);
-    cluster(search.boxes, &mut found.unresolved, || Ok(()))?;
+    cluster_touching_boxes(search.boxes, &mut found.unresolved, || Ok(()))?;
     found.unresolved.iter_mut().for_each(|cluster| search.whole.refine_unresolved(cluster));
     Ok(())
 }

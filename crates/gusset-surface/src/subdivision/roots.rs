@@ -15,7 +15,8 @@ use super::field::{Field, Slope};
 use glam::DVec2;
 use gusset_base::error::Result;
 use gusset_base::geom::subdivision::{
-    BoxTest, Limits, Stack, Subdivision, UnresolvedBox, UnresolvedCluster, cluster, subdivide,
+    BoxStack, BoxTest, Subdivision, SubdivisionLimits, UnresolvedBox, UnresolvedCluster, cluster_touching_boxes,
+    subdivide,
 };
 
 /// Number of halvings of each parameter after which a part is given up.
@@ -36,7 +37,7 @@ pub(crate) struct Roots<const N: usize> {
     pub(crate) simple: Vec<DVec2>,
     /// Where roots could not be resolved.
     pub(crate) unresolved: Vec<UnresolvedCluster>,
-    stack: Stack<FieldPart<N>>,
+    stack: BoxStack<FieldPart<N>>,
     boxes: Vec<UnresolvedBox>,
 }
 
@@ -66,7 +67,7 @@ pub(crate) fn roots<const N: usize>(
     found: &mut Roots<N>,
 ) -> Result<()> {
     search(fields, rounding_error, tolerance, false, found);
-    cluster(&found.boxes, &mut found.unresolved, || Ok(()))?;
+    cluster_touching_boxes(&found.boxes, &mut found.unresolved, || Ok(()))?;
     Ok(())
 }
 
@@ -98,7 +99,7 @@ fn search<const N: usize>(
     let mut search = RootSearch { rounding_error, tolerance, simple, boxes, simple_only };
     let whole = FieldPart { fields, from: DVec2::ZERO, size: 1.0 };
     let max_boxes = if simple_only { MAX_PARTS_IF_SIMPLE } else { MAX_PARTS };
-    subdivide(&mut search, whole, stack, Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes }).is_ok()
+    subdivide(&mut search, whole, stack, SubdivisionLimits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes }).is_ok()
 }
 
 /// Signals that a search for simple roots met an unresolved part.

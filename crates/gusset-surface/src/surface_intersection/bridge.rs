@@ -13,7 +13,7 @@ use glam::DVec3;
 use glam::DVec4;
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::kd_tree::{KdTree, Radius};
+use gusset_base::geom::kd_tree::{KdTree, ScaledRadius};
 use gusset_base::job::Job;
 use gusset_base::sort;
 
@@ -74,8 +74,8 @@ fn tree(points: &[DVec3]) -> Result<KdTree<'_>> {
     KdTree::new(points, &Job::default(), "")
 }
 
-fn radius(length: f64) -> Radius {
-    Radius::new(length.max(f64::MIN_POSITIVE))
+fn radius(length: f64) -> ScaledRadius {
+    ScaledRadius::new(length.max(f64::MIN_POSITIVE))
 }
 
 impl<S: Surroundings> Bridges<'_, S> {

@@ -27,7 +27,7 @@ use glam::{DVec2, DVec3};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::disjoint_sets::DisjointSets;
-use gusset_base::geom::kd_tree::{KdTree, Radius};
+use gusset_base::geom::kd_tree::{KdTree, ScaledRadius};
 use gusset_base::job::Job;
 
 /// Largest number of balls in a cluster. A larger cluster is not a contact point.
@@ -172,7 +172,7 @@ impl ContactSearch<'_> {
             visits += 1;
             // Only smaller balls count, so all of them are within four times the radius.
             let limit = 4.0 * ball.radius + 4.0 * self.resolution;
-            tree.for_each_within(ball.centre, Radius::new(limit.max(f64::MIN_POSITIVE)), &mut |_, n| {
+            tree.for_each_within(ball.centre, ScaledRadius::new(limit.max(f64::MIN_POSITIVE)), &mut |_, n| {
                 visits += 1;
                 let other = &balls[n as usize];
                 let touch = 2.0 * (ball.radius + other.radius) + 4.0 * self.resolution;

@@ -9,7 +9,7 @@ use super::solve::{FoundArcs, IntersectionArc};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::kd_tree::{KdTree, Radius};
+use gusset_base::geom::kd_tree::{KdTree, ScaledRadius};
 use gusset_base::job::Job;
 use gusset_base::sort;
 use std::ops::ControlFlow;
@@ -68,7 +68,7 @@ fn add_pairs_of_many(
     job: &Job<'_>,
 ) -> Result<()> {
     let own = alloc::collect(run.iter().map(|&(_, k)| points[k as usize]))?;
-    let (tree, reach) = (KdTree::new(&own, job, "paths")?, Radius::new(within.max(f64::MIN_POSITIVE)));
+    let (tree, reach) = (KdTree::new(&own, job, "paths")?, ScaledRadius::new(within.max(f64::MIN_POSITIVE)));
     for (at, &(_, k)) in run.iter().enumerate() {
         job.step_every(ENDS_PER_REPORT, at, run.len(), "paths")?;
         let (mut result, mut seen) = (Ok(()), 0);

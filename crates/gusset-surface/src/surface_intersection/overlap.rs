@@ -12,7 +12,7 @@ use super::solve::{FoundArcs, IntersectionArc};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::kd_tree::{KdTree, Radius};
+use gusset_base::geom::kd_tree::{KdTree, ScaledRadius};
 use gusset_base::job::Job;
 use gusset_base::sort;
 
@@ -85,7 +85,7 @@ impl Overlaps<'_> {
             let (whole, mut result) = (to - from, Ok(()));
             // Without a chord tolerance, an arc turns little, because its box is small.
             let chord = self.chord.min(whole.length());
-            let reach = Radius::new((0.5 * whole.length() + chord).max(f64::MIN_POSITIVE));
+            let reach = ScaledRadius::new((0.5 * whole.length() + chord).max(f64::MIN_POSITIVE));
             tree.for_each_within(from.midpoint(to), reach, &mut |_, end| {
                 let end = ends[end as usize];
                 let way = (end - from).dot(whole) / whole.length_squared();

@@ -14,7 +14,7 @@ use crate::Patch;
 use glam::{DVec3, DVec4};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
-use gusset_base::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
+use gusset_base::geom::subdivision::{BoxTest, Subdivision, SubdivisionLimits, subdivide};
 use gusset_base::job::Job;
 use std::borrow::Cow;
 
@@ -353,7 +353,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
 impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
     /// Finds the arcs in a box.
     fn run(&mut self, part: Cow<'_, ParameterBox<N, M>>) -> Result<(), Stop> {
-        let limits = Limits { max_depth: u32::MAX, max_boxes: usize::MAX };
+        let limits = SubdivisionLimits { max_depth: u32::MAX, max_boxes: usize::MAX };
         subdivide(self, part, &mut Vec::new(), limits)
     }
 

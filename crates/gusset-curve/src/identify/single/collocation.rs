@@ -13,7 +13,7 @@ use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::bernstein;
-use gusset_base::geom::linear::dense::Dense;
+use gusset_base::geom::linear::dense::DenseMatrix;
 use std::ops::Range;
 
 /// The distance from its points, in sizes of the outline, beyond which a curve misses them.
@@ -35,7 +35,7 @@ pub(in crate::identify) struct Collocation {
     pub(super) previous: Vec<DVec3>,
     pub(super) previous_t: Vec<f64>,
     pub(super) basis: Vec<f64>,
-    pub(super) matrix: Dense,
+    pub(super) matrix: DenseMatrix,
     /// Whether there are end tangents.
     tangents: [bool; 2],
 }

@@ -7,7 +7,7 @@ use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::sort;
-use gusset_base::sort::{Buckets, select};
+use gusset_base::sort::{Buckets, select_by_rank};
 
 /// An old edge is sharp if the normals of its faces differ by at least this angle, in radians ...
 const MIN_CREASE_RADIANS: f64 = 0.6;
@@ -151,7 +151,7 @@ fn median(values: &[f64]) -> Result<f64> {
     if numbers.is_empty() {
         return Ok(0.0);
     }
-    select(&mut numbers, middle, |k| values[k as usize]);
+    select_by_rank(&mut numbers, middle, |k| values[k as usize]);
     Ok(values[numbers[middle] as usize])
 }
 

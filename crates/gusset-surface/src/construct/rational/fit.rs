@@ -16,7 +16,7 @@ use glam::DVec3;
 use glam::DVec4;
 use gusset_base::error::Result;
 use gusset_base::geom::bernstein::{basis, evaluate};
-use gusset_base::geom::linear::dense::Dense;
+use gusset_base::geom::linear::dense::DenseMatrix;
 
 /// Number of data in each direction: the value and derivative at 0, inner values, the derivative
 /// and value at 1.
@@ -112,7 +112,7 @@ fn weighted_sum<T: Default + std::ops::Add<Output = T> + std::ops::Mul<f64, Outp
 
 impl Fit {
     pub(super) fn new(degrees: [usize; 2]) -> Result<Self> {
-        let mut system = Dense::default();
+        let mut system = DenseMatrix::default();
         system.resize(DATA_COUNT)?;
         functionals(MAX_DEGREE).iter().enumerate().for_each(|(k, row)| system.row(k).copy_from_slice(row));
         // The determinant of the system is a nonzero constant.

@@ -18,7 +18,7 @@ use super::system::{EQUATIONS, Known, LockEquation, Node, Rows, SPAN, UNKNOWNS, 
 use crate::identify::subcurve::Subcurve;
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::linear::banded::Banded;
+use gusset_base::geom::linear::banded::BandedCholesky;
 use gusset_base::job::Job;
 
 /// The number of points of a closed subcurve that are repeated before its first and after its last.
@@ -73,7 +73,7 @@ pub(super) struct LeastSteps {
     previous: Vec<Node>,
     /// The squared residuals of each point before the step.
     squares: Vec<f64>,
-    banded: Banded<BAND>,
+    banded: BandedCholesky<BAND>,
 }
 
 impl LeastSteps {
@@ -170,7 +170,7 @@ impl LeastSteps {
             }
             rows
         };
-        self.banded.begin(EQUATIONS * count)?;
+        self.banded.clear_and_reserve(EQUATIONS * count)?;
         // The equations of this point and of the three before it.
         let mut window = [Rows::default(); SPAN];
         for k in 0..count {

@@ -13,7 +13,7 @@ use crate::alloc;
 use crate::error::Result;
 use crate::geom::Aabb;
 use crate::job::Job;
-use crate::sort::select;
+use crate::sort::select_by_rank;
 use glam::DVec3;
 
 /// A separator is too long above this multiple of the separator of a square with the same number of
@@ -22,31 +22,31 @@ const MAX_RELATIVE_SEPARATOR: usize = 2;
 /// Parts of at most this many unknowns are not halved.
 const MAX_LEAF_UNKNOWNS: usize = 24;
 /// Unknowns halved between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 14;
+const UNKNOWNS_PER_REPORT: usize = 1 << 14;
 
 /// Sorts the unknowns in `order` into the order of elimination. `couplings` tells which unknowns
 /// share an equation. O(n log n); extra memory: 5 bytes a point.
-pub fn dissect(order: &mut [u32], points: &[DVec3], couplings: impl Coupling, job: &Job<'_>) -> Result<()> {
+pub fn dissect(order: &mut [u32], points: &[DVec3], couplings: impl UnknownCouplings, job: &Job<'_>) -> Result<()> {
     let n = order.len();
     let stamp = alloc::filled(0u32, points.len())?;
     let whole = n * (n / MAX_LEAF_UNKNOWNS + 1).ilog2() as usize;
-    Dissection { points, couplings, stamp, part: 0, job: *job, whole, done: 0, reported: 0 }.halve(order)
+    NestedDissection { points, couplings, stamp, part: 0, job: *job, whole, done: 0, reported: 0 }.halve_unknowns(order)
 }
 
 /// The couplings between unknowns. Two unknowns are coupled if a row of the equations has both.
-pub trait Coupling {
+pub trait UnknownCouplings {
     /// Visits the rows that have an entry of an unknown.
     fn each_row(&self, v: u32, visit: impl FnMut(usize));
 
     /// Returns the distance over which unknowns are coupled, in edges.
-    fn reach(&self) -> usize;
+    fn coupling_reach(&self) -> usize;
 
     /// Returns true if an unknown is coupled with one that has an entry in a row accepted by
     /// `is_marked`.
-    fn touches(&self, v: u32, is_marked: impl Fn(usize) -> bool) -> bool;
+    fn is_coupled_to_marked(&self, v: u32, is_marked: impl Fn(usize) -> bool) -> bool;
 }
 
-struct Dissection<'a, C> {
+struct NestedDissection<'a, C> {
     points: &'a [DVec3],
     couplings: C,
     /// The last part whose first half touches the row of this vertex.
@@ -60,42 +60,42 @@ struct Dissection<'a, C> {
     reported: usize,
 }
 
-impl<C: Coupling> Dissection<'_, C> {
-    fn halve(&mut self, order: &mut [u32]) -> Result<()> {
+impl<C: UnknownCouplings> NestedDissection<'_, C> {
+    fn halve_unknowns(&mut self, order: &mut [u32]) -> Result<()> {
         if order.len() <= MAX_LEAF_UNKNOWNS {
             return Ok(());
         }
         self.done += order.len();
-        if self.done >= self.reported + REPORT_INTERVAL {
+        if self.done >= self.reported + UNKNOWNS_PER_REPORT {
             self.job.step(self.done as f64 / self.whole as f64, "solving")?;
             self.reported = self.done;
         }
         let size = Aabb::from_points(order.iter().map(|&v| self.points[v as usize])).size();
         let longest = size.max_position();
-        let mut separator = self.cut(order, longest);
-        let most = MAX_RELATIVE_SEPARATOR * self.couplings.reach();
+        let mut separator = self.cut_across_axis(order, longest);
+        let most = MAX_RELATIVE_SEPARATOR * self.couplings.coupling_reach();
         if (order.len() - separator).pow(2) > most * most * order.len() {
             let mut best = (separator, longest);
             for axis in (0..3).filter(|&axis| axis != longest && size[axis] > 0.0) {
-                separator = self.cut(order, axis);
+                separator = self.cut_across_axis(order, axis);
                 if separator > best.0 {
                     best = (separator, axis);
                 }
             }
-            separator = self.cut(order, best.1);
+            separator = self.cut_across_axis(order, best.1);
         }
         let (first, rest) = order.split_at_mut(order.len() / 2);
         let (second, _) = rest.split_at_mut(separator - first.len());
-        self.halve(first)?;
-        self.halve(second)
+        self.halve_unknowns(first)?;
+        self.halve_unknowns(second)
     }
 
     /// Halves the unknowns by a plane across an axis and moves the separator to the end. Returns
     /// the start of the separator.
-    fn cut(&mut self, order: &mut [u32], axis: usize) -> usize {
+    fn cut_across_axis(&mut self, order: &mut [u32], axis: usize) -> usize {
         let middle = order.len() / 2;
         let points = self.points;
-        select(order, middle, |v| points[v as usize][axis]);
+        select_by_rank(order, middle, |v| points[v as usize][axis]);
 
         self.part += 1;
         let (stamp, part) = (&mut self.stamp, self.part);
@@ -103,7 +103,7 @@ impl<C: Coupling> Dissection<'_, C> {
         let mut separator = order.len();
         let mut i = middle;
         while i < separator {
-            if self.couplings.touches(order[i], |row| self.stamp[row] == self.part) {
+            if self.couplings.is_coupled_to_marked(order[i], |row| self.stamp[row] == self.part) {
                 separator -= 1;
                 order.swap(i, separator);
             } else {
@@ -120,36 +120,36 @@ mod tests {
 
     /// A grid with the given number of columns, in which each unknown is coupled with its eight
     /// neighbours.
-    struct Grid(usize);
+    struct GridCouplings(usize);
 
-    impl Coupling for Grid {
+    impl UnknownCouplings for GridCouplings {
         fn each_row(&self, v: u32, mut visit: impl FnMut(usize)) {
             visit(v as usize);
         }
 
-        fn reach(&self) -> usize {
+        fn coupling_reach(&self) -> usize {
             1
         }
 
-        fn touches(&self, v: u32, found: impl Fn(usize) -> bool) -> bool {
+        fn is_coupled_to_marked(&self, v: u32, found: impl Fn(usize) -> bool) -> bool {
             let (i, j) = (v as usize / self.0, v as usize % self.0);
             let beside = |k: usize, end: usize| k.saturating_sub(1)..end.min(k + 2);
-            beside(i, ROWS).any(|i| beside(j, self.0).any(|j| found(i * self.0 + j)))
+            beside(i, GRID_ROWS).any(|i| beside(j, self.0).any(|j| found(i * self.0 + j)))
         }
     }
 
-    const ROWS: usize = 12;
+    const GRID_ROWS: usize = 12;
 
     #[test]
     fn separators_are_short_for_cells_of_any_shape() {
         for (columns, width) in [(60, 1.0), (60, 0.01), (1200, 1.0), (1200, 0.015), (1200, 0.005)] {
-            let points: Vec<DVec3> = (0..ROWS * columns)
+            let points: Vec<DVec3> = (0..GRID_ROWS * columns)
                 .map(|v| DVec3::new((v % columns) as f64 * width, (v / columns) as f64, 0.0))
                 .collect();
             let mut order: Vec<u32> = (0..points.len() as u32).collect();
-            dissect(&mut order, &points, Grid(columns), &Job::default()).unwrap();
+            dissect(&mut order, &points, GridCouplings(columns), &Job::default()).unwrap();
             // The separator is one column of the grid.
-            let last = &order[order.len() - ROWS..];
+            let last = &order[order.len() - GRID_ROWS..];
             assert!(last.iter().all(|&v| v as usize % columns == last[0] as usize % columns), "{columns} {width}");
             order.sort_unstable();
             assert!((0..).zip(&order).all(|(k, &v)| k == v));

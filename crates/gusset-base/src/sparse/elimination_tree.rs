@@ -8,7 +8,7 @@
 //! Davis, *Direct methods for sparse linear systems* (2006), section 4.4. Nearly linear in the
 //! entries of the matrix.
 
-use super::symmetric::Symmetric;
+use super::symmetric::SparseSymmetric;
 use crate::NONE;
 use crate::alloc;
 use crate::error::Result;
@@ -16,17 +16,17 @@ use crate::job::Job;
 use crate::sort::Buckets;
 
 /// Columns between two progress reports.
-const REPORT_INTERVAL: usize = 1 << 15;
+const COLUMNS_PER_REPORT: usize = 1 << 15;
 
 /// Returns the parents of all columns; `NONE` for a root.
-pub(super) fn parents(matrix: &Symmetric, job: &Job<'_>) -> Result<Vec<u32>> {
+pub(super) fn elimination_tree_parents(matrix: &SparseSymmetric, job: &Job<'_>) -> Result<Vec<u32>> {
     let n = matrix.row_count();
     let mut parent = alloc::filled(NONE, n)?;
     // The farthest known ancestor of each column, so that paths are walked once.
     let mut ancestor = alloc::filled(NONE, n)?;
     for k in 0..n {
-        job.step_every(REPORT_INTERVAL, k + 1, n, "solving")?;
-        for &(row, _) in matrix.column(k) {
+        job.step_every(COLUMNS_PER_REPORT, k + 1, n, "solving")?;
+        for &(row, _) in matrix.entries_above_diagonal(k) {
             let mut i = row;
             while i != NONE && i < k as u32 {
                 let next = std::mem::replace(&mut ancestor[i as usize], k as u32);
@@ -41,7 +41,7 @@ pub(super) fn parents(matrix: &Symmetric, job: &Job<'_>) -> Result<Vec<u32>> {
 }
 
 /// Returns the nodes of a forest in postorder: children before parents, subtree after subtree.
-pub(super) fn postorder(parent: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
+pub(super) fn forest_postorder(parent: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
     let n = parent.len();
     let (mut first_child, mut next_sibling) = (alloc::filled(NONE, n + 1)?, alloc::filled(NONE, n)?);
     let slot = |parent: u32| if parent == NONE { n } else { parent as usize };
@@ -70,9 +70,9 @@ pub(super) fn postorder(parent: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
 /// The columns of row i of L form a subtree with root i, and the matrix has an entry of row i in
 /// every leaf. Each leaf counts for itself and its ancestors. Where it meets the previous leaf, in
 /// their least common ancestor, one count is removed.
-pub(super) fn column_counts(below: &Buckets<(u32, f64)>, parent: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
+pub(super) fn factor_column_counts(below: &Buckets<(u32, f64)>, parent: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
     let n = parent.len();
-    let order = postorder(parent, &job.part(0.0, 0.0))?;
+    let order = forest_postorder(parent, &job.part(0.0, 0.0))?;
     job.step(0.0, "solving")?;
     // The position in postorder of each column's first descendant.
     let mut first = alloc::filled(NONE, n)?;
@@ -94,13 +94,13 @@ pub(super) fn column_counts(below: &Buckets<(u32, f64)>, parent: &[u32], job: &J
         ancestor: alloc::collect(0..n as u32)?,
     };
     for (place, &j) in order.iter().enumerate() {
-        job.step_every(REPORT_INTERVAL, place + 1, n, "solving")?;
+        job.step_every(COLUMNS_PER_REPORT, place + 1, n, "solving")?;
         let up = parent[j as usize];
         if up != NONE {
             count[up as usize] -= 1;
         }
         for &(i, _) in below.get(j as usize) {
-            if let Some(meeting) = subtrees.add(i as usize, j, first[j as usize]) {
+            if let Some(meeting) = subtrees.add_column_to_row(i as usize, j, first[j as usize]) {
                 count[j as usize] += 1;
                 if meeting != NONE {
                     count[meeting as usize] -= 1;
@@ -134,7 +134,7 @@ impl RowSubtrees {
     /// Adds column `j` to row `i`; `first` is the position of its first descendant. Returns `None`
     /// if the column is not a leaf of the row's subtree. Otherwise returns the least common
     /// ancestor with the previous leaf, `NONE` for the first leaf.
-    fn add(&mut self, i: usize, j: u32, first: u32) -> Option<u32> {
+    fn add_column_to_row(&mut self, i: usize, j: u32, first: u32) -> Option<u32> {
         if first < self.latest_first[i] {
             return None;
         }

@@ -8,7 +8,7 @@ use std::ops::Range;
 const MAX_LEAF_CELLS: usize = 16;
 
 /// Calls `visit` with all cells of a rectangle, both halves before their separator. O(cells).
-pub(super) fn dissect(
+pub(super) fn visit_in_dissection_order(
     rows: Range<usize>,
     columns: Range<usize>,
     visit: &mut dyn FnMut(usize, usize) -> gusset_base::error::Result<()>,
@@ -19,26 +19,26 @@ pub(super) fn dissect(
     }
     if h > w {
         let middle = rows.start + h / 2;
-        dissect(rows.start..middle, columns.clone(), visit)?;
-        dissect(middle + 1..rows.end, columns.clone(), visit)?;
-        dissect(middle..middle + 1, columns, visit)
+        visit_in_dissection_order(rows.start..middle, columns.clone(), visit)?;
+        visit_in_dissection_order(middle + 1..rows.end, columns.clone(), visit)?;
+        visit_in_dissection_order(middle..middle + 1, columns, visit)
     } else {
         let middle = columns.start + w / 2;
-        dissect(rows.clone(), columns.start..middle, visit)?;
-        dissect(rows.clone(), middle + 1..columns.end, visit)?;
-        dissect(rows, middle..middle + 1, visit)
+        visit_in_dissection_order(rows.clone(), columns.start..middle, visit)?;
+        visit_in_dissection_order(rows.clone(), middle + 1..columns.end, visit)?;
+        visit_in_dissection_order(rows, middle..middle + 1, visit)
     }
 }
 
 /// Orders all cells of a net with the given numbers of rows and columns of cells. If sides are
 /// glued, the last row and column come last, because they separate the first ones from the others.
-pub(crate) fn order(
+pub(crate) fn visit_in_elimination_order(
     [rows, columns]: [usize; 2],
     is_glued: bool,
     visit: &mut dyn FnMut(usize, usize) -> gusset_base::error::Result<()>,
 ) -> gusset_base::error::Result<()> {
     let last = usize::from(is_glued);
-    dissect(0..rows - last, 0..columns - last, visit)?;
-    dissect(rows - last..rows, 0..columns, visit)?;
-    dissect(0..rows - last, columns - last..columns, visit)
+    visit_in_dissection_order(0..rows - last, 0..columns - last, visit)?;
+    visit_in_dissection_order(rows - last..rows, 0..columns, visit)?;
+    visit_in_dissection_order(0..rows - last, columns - last..columns, visit)
 }

@@ -10,14 +10,14 @@ use gusset_base::job::Job;
 use std::collections::HashSet;
 
 /// The edges with at least one glued end.
-pub(super) struct UsedLinks {
+pub(super) struct GluedEdges {
     /// For each node whether its class has others.
     is_glued: Vec<bool>,
     /// The edges of the net's links, and the diagonals chosen so far.
     edges: HashSet<[u32; 2]>,
 }
 
-impl UsedLinks {
+impl GluedEdges {
     /// Returns the edges of the links. O(nodes).
     pub(super) fn new(shape: Shape, classes: &[u32], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut is_glued = alloc::filled(false, classes.len())?;
@@ -27,12 +27,12 @@ impl UsedLinks {
             }
             Ok(())
         })?;
-        let mut used = UsedLinks { is_glued, edges: HashSet::new() };
+        let mut used = GluedEdges { is_glued, edges: HashSet::new() };
         job.part(0.3, 1.0).ranges(stage, 2 * classes.len(), |range| {
             for link in range.map(|link| link as u32).filter(|&link| shape.is_inner(link)) {
                 let ends = shape.ends(link);
                 if used.has_glued_end(ends) {
-                    used.add(ends.map(|node| classes[node as usize]))?;
+                    used.add_edge(ends.map(|node| classes[node as usize]))?;
                 }
             }
             Ok(())
@@ -46,7 +46,7 @@ impl UsedLinks {
     }
 
     /// Adds an edge between two classes.
-    pub(super) fn add(&mut self, ends: [u32; 2]) -> Result<()> {
+    pub(super) fn add_edge(&mut self, ends: [u32; 2]) -> Result<()> {
         if self.has_glued_end(ends) {
             let bytes = size_of::<[u32; 2]>() as u64 * (self.edges.len() as u64 + 1);
             self.edges.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes })?;

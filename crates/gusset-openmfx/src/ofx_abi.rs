@@ -4,23 +4,23 @@
 use std::ffi::{CStr, c_char, c_int, c_uint, c_void};
 
 /// An opaque pointer of the host: a property set, effect, input, mesh or parameter.
-pub(crate) type Handle = *mut c_void;
+pub(crate) type HostHandle = *mut c_void;
 
 /// The status that an action or a suite function returns.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct Status(pub(super) c_int);
+pub(super) struct OfxStatus(pub(super) c_int);
 
-impl Status {
-    pub(super) const OK: Status = Status(0);
-    pub(super) const FAILED: Status = Status(1);
-    pub(super) const MISSING_HOST_FEATURE: Status = Status(4);
-    pub(super) const MEMORY: Status = Status(8);
-    pub(super) const BAD_HANDLE: Status = Status(9);
+impl OfxStatus {
+    pub(super) const OK: OfxStatus = OfxStatus(0);
+    pub(super) const FAILED: OfxStatus = OfxStatus(1);
+    pub(super) const MISSING_HOST_FEATURE: OfxStatus = OfxStatus(4);
+    pub(super) const MEMORY: OfxStatus = OfxStatus(8);
+    pub(super) const BAD_HANDLE: OfxStatus = OfxStatus(9);
     /// The effect does not implement the action.
-    pub(super) const REPLY_DEFAULT: Status = Status(14);
+    pub(super) const REPLY_DEFAULT: OfxStatus = OfxStatus(14);
 
-    pub(super) fn check(status: c_int) -> Result<(), Status> {
-        if status == Status::OK.0 { Ok(()) } else { Err(Status(status)) }
+    pub(super) fn check_status(status: c_int) -> Result<(), OfxStatus> {
+        if status == OfxStatus::OK.0 { Ok(()) } else { Err(OfxStatus(status)) }
     }
 }
 
@@ -90,9 +90,10 @@ pub(super) const TYPE_INT: &CStr = c"OfxMeshAttribTypeInt";
 #[repr(C)]
 pub struct OfxHost {
     /// The host's own properties.
-    pub host: Handle,
+    pub host: HostHandle,
     /// Returns a suite by name and version; NULL if the host lacks it.
-    pub fetch_suite: Option<unsafe extern "C" fn(host: Handle, name: *const c_char, version: c_int) -> *const c_void>,
+    pub fetch_suite:
+        Option<unsafe extern "C" fn(host: HostHandle, name: *const c_char, version: c_int) -> *const c_void>,
 }
 
 /// An effect, as a host sees it.
@@ -111,62 +112,73 @@ pub struct OfxPlugin {
     /// Called before anything else.
     pub set_host: unsafe extern "C" fn(host: *mut OfxHost),
     /// Called for every action.
-    pub main_entry:
-        unsafe extern "C" fn(action: *const c_char, handle: *const c_void, in_args: Handle, out_args: Handle) -> c_int,
+    pub main_entry: unsafe extern "C" fn(
+        action: *const c_char,
+        handle: *const c_void,
+        in_args: HostHandle,
+        out_args: HostHandle,
+    ) -> c_int,
 }
 
 /// A function of a suite. A host may leave out functions that it does not support.
-type Function<F> = Option<F>;
+type SuiteFunction<F> = Option<F>;
 /// A function that the effects never call. It only takes up space.
-type Unused = *const c_void;
+type UnusedSuiteFunction = *const c_void;
 
 /// Properties: named values of four types.
 #[repr(C)]
 pub(super) struct PropertySuite {
-    pub(super) set_pointer: Unused,
-    pub(super) set_string: Function<unsafe extern "C" fn(Handle, *const c_char, c_int, *const c_char) -> c_int>,
-    pub(super) set_double: Function<unsafe extern "C" fn(Handle, *const c_char, c_int, f64) -> c_int>,
-    pub(super) set_int: Function<unsafe extern "C" fn(Handle, *const c_char, c_int, c_int) -> c_int>,
-    pub(super) set_many: [Unused; 4],
-    pub(super) get_pointer: Function<unsafe extern "C" fn(Handle, *const c_char, c_int, *mut *mut c_void) -> c_int>,
-    pub(super) get_string: Function<unsafe extern "C" fn(Handle, *const c_char, c_int, *mut *mut c_char) -> c_int>,
-    pub(super) get_double: Function<unsafe extern "C" fn(Handle, *const c_char, c_int, *mut f64) -> c_int>,
-    pub(super) get_int: Function<unsafe extern "C" fn(Handle, *const c_char, c_int, *mut c_int) -> c_int>,
-    pub(super) get_many: [Unused; 4],
-    pub(super) reset_and_dimension: [Unused; 2],
+    pub(super) set_pointer: UnusedSuiteFunction,
+    pub(super) set_string:
+        SuiteFunction<unsafe extern "C" fn(HostHandle, *const c_char, c_int, *const c_char) -> c_int>,
+    pub(super) set_double: SuiteFunction<unsafe extern "C" fn(HostHandle, *const c_char, c_int, f64) -> c_int>,
+    pub(super) set_int: SuiteFunction<unsafe extern "C" fn(HostHandle, *const c_char, c_int, c_int) -> c_int>,
+    pub(super) set_many: [UnusedSuiteFunction; 4],
+    pub(super) get_pointer:
+        SuiteFunction<unsafe extern "C" fn(HostHandle, *const c_char, c_int, *mut *mut c_void) -> c_int>,
+    pub(super) get_string:
+        SuiteFunction<unsafe extern "C" fn(HostHandle, *const c_char, c_int, *mut *mut c_char) -> c_int>,
+    pub(super) get_double: SuiteFunction<unsafe extern "C" fn(HostHandle, *const c_char, c_int, *mut f64) -> c_int>,
+    pub(super) get_int: SuiteFunction<unsafe extern "C" fn(HostHandle, *const c_char, c_int, *mut c_int) -> c_int>,
+    pub(super) get_many: [UnusedSuiteFunction; 4],
+    pub(super) reset_and_dimension: [UnusedSuiteFunction; 2],
 }
 
 /// Parameters. The standard has more functions, which effects do not need.
 #[repr(C)]
 pub(super) struct ParameterSuite {
-    pub(super) define: Function<unsafe extern "C" fn(Handle, *const c_char, *const c_char, *mut Handle) -> c_int>,
-    pub(super) get_handle: Function<unsafe extern "C" fn(Handle, *const c_char, *mut Handle, *mut Handle) -> c_int>,
-    pub(super) get_property_sets: [Unused; 2],
+    pub(super) define:
+        SuiteFunction<unsafe extern "C" fn(HostHandle, *const c_char, *const c_char, *mut HostHandle) -> c_int>,
+    pub(super) get_handle:
+        SuiteFunction<unsafe extern "C" fn(HostHandle, *const c_char, *mut HostHandle, *mut HostHandle) -> c_int>,
+    pub(super) get_property_sets: [UnusedSuiteFunction; 2],
     /// The arguments end with one pointer to a variable for each component of the parameter.
-    pub(super) get_value: Function<unsafe extern "C" fn(Handle, ...) -> c_int>,
-    pub(super) get_value_at_time: Function<unsafe extern "C" fn(Handle, f64, ...) -> c_int>,
+    pub(super) get_value: SuiteFunction<unsafe extern "C" fn(HostHandle, ...) -> c_int>,
+    pub(super) get_value_at_time: SuiteFunction<unsafe extern "C" fn(HostHandle, f64, ...) -> c_int>,
 }
 
 /// Inputs, outputs and meshes.
 #[repr(C)]
 pub(super) struct MeshEffectSuite {
-    pub(super) get_property_set: Function<unsafe extern "C" fn(Handle, *mut Handle) -> c_int>,
-    pub(super) get_param_set: Function<unsafe extern "C" fn(Handle, *mut Handle) -> c_int>,
-    pub(super) input_define: Function<unsafe extern "C" fn(Handle, *const c_char, *mut Handle, *mut Handle) -> c_int>,
+    pub(super) get_property_set: SuiteFunction<unsafe extern "C" fn(HostHandle, *mut HostHandle) -> c_int>,
+    pub(super) get_param_set: SuiteFunction<unsafe extern "C" fn(HostHandle, *mut HostHandle) -> c_int>,
+    pub(super) input_define:
+        SuiteFunction<unsafe extern "C" fn(HostHandle, *const c_char, *mut HostHandle, *mut HostHandle) -> c_int>,
     pub(super) input_get_handle:
-        Function<unsafe extern "C" fn(Handle, *const c_char, *mut Handle, *mut Handle) -> c_int>,
-    pub(super) input_get_property_set: Unused,
-    pub(super) input_request_attribute: Unused,
-    pub(super) input_get_mesh: Function<unsafe extern "C" fn(Handle, f64, *mut Handle, *mut Handle) -> c_int>,
-    pub(super) input_release_mesh: Function<unsafe extern "C" fn(Handle) -> c_int>,
-    pub(super) attribute_define: Unused,
-    pub(super) mesh_get_attribute_by_index: Unused,
+        SuiteFunction<unsafe extern "C" fn(HostHandle, *const c_char, *mut HostHandle, *mut HostHandle) -> c_int>,
+    pub(super) input_get_property_set: UnusedSuiteFunction,
+    pub(super) input_request_attribute: UnusedSuiteFunction,
+    pub(super) input_get_mesh:
+        SuiteFunction<unsafe extern "C" fn(HostHandle, f64, *mut HostHandle, *mut HostHandle) -> c_int>,
+    pub(super) input_release_mesh: SuiteFunction<unsafe extern "C" fn(HostHandle) -> c_int>,
+    pub(super) attribute_define: UnusedSuiteFunction,
+    pub(super) mesh_get_attribute_by_index: UnusedSuiteFunction,
     pub(super) mesh_get_attribute:
-        Function<unsafe extern "C" fn(Handle, *const c_char, *const c_char, *mut Handle) -> c_int>,
-    pub(super) mesh_get_property_set: Unused,
-    pub(super) mesh_alloc: Function<unsafe extern "C" fn(Handle) -> c_int>,
+        SuiteFunction<unsafe extern "C" fn(HostHandle, *const c_char, *const c_char, *mut HostHandle) -> c_int>,
+    pub(super) mesh_get_property_set: UnusedSuiteFunction,
+    pub(super) mesh_alloc: SuiteFunction<unsafe extern "C" fn(HostHandle) -> c_int>,
     /// Returns 1 if the effect should stop.
-    pub(super) abort: Function<unsafe extern "C" fn(Handle) -> c_int>,
+    pub(super) abort: SuiteFunction<unsafe extern "C" fn(HostHandle) -> c_int>,
 }
 
 /// Messages to the user.
@@ -174,5 +186,5 @@ pub(super) struct MeshEffectSuite {
 pub(super) struct MessageSuite {
     /// A format as in `printf` and its arguments follow the kind and the identifier.
     pub(super) message:
-        Function<unsafe extern "C" fn(Handle, *const c_char, *const c_char, *const c_char, ...) -> c_int>,
+        SuiteFunction<unsafe extern "C" fn(HostHandle, *const c_char, *const c_char, *const c_char, ...) -> c_int>,
 }

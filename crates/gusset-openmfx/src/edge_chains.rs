@@ -9,17 +9,17 @@ use gusset_base::alloc;
 use gusset_base::sort::Buckets;
 
 /// Edges, and the edges at each vertex.
-struct Graph<'a> {
+struct EdgeGraph<'a> {
     edges: &'a [[u32; 2]],
     /// The edges at each vertex.
     at: Buckets<u32>,
     used: Vec<bool>,
 }
 
-impl<'a> Graph<'a> {
+impl<'a> EdgeGraph<'a> {
     fn new(edges: &'a [[u32; 2]], vertex_count: usize) -> Result<Self> {
         let ends = edges.iter().zip(0..).flat_map(|(ends, edge)| ends.map(|vertex| (vertex as usize, edge)));
-        Ok(Graph { edges, at: Buckets::new(vertex_count, NONE, ends)?, used: alloc::filled(false, edges.len())? })
+        Ok(EdgeGraph { edges, at: Buckets::new(vertex_count, NONE, ends)?, used: alloc::filled(false, edges.len())? })
     }
 
     fn edges_at(&self, vertex: u32) -> &[u32] {
@@ -27,12 +27,12 @@ impl<'a> Graph<'a> {
     }
 
     /// True if curves continue through a vertex, because it has two edges.
-    fn is_inner(&self, vertex: u32) -> bool {
+    fn has_two_edges(&self, vertex: u32) -> bool {
         self.edges_at(vertex).len() == 2
     }
 
     /// Uses an edge at a vertex. Returns its other end.
-    fn step(&mut self, vertex: u32) -> Option<u32> {
+    fn take_unused_edge(&mut self, vertex: u32) -> Option<u32> {
         let edge = *self.edges_at(vertex).iter().find(|&&edge| !self.used[edge as usize])?;
         self.used[edge as usize] = true;
         let [a, b] = self.edges[edge as usize];
@@ -41,14 +41,14 @@ impl<'a> Graph<'a> {
 
     /// Follows unused edges from a vertex to the next vertex where curves end, or back to the
     /// start.
-    fn chain(&mut self, from: u32, chain: &mut Vec<u32>) -> Result<()> {
+    fn follow_chain(&mut self, from: u32, chain: &mut Vec<u32>) -> Result<()> {
         chain.clear();
         alloc::push(chain, from)?;
         let mut vertex = from;
-        while let Some(next) = self.step(vertex) {
+        while let Some(next) = self.take_unused_edge(vertex) {
             alloc::push(chain, next)?;
             vertex = next;
-            if vertex == from || !self.is_inner(vertex) {
+            if vertex == from || !self.has_two_edges(vertex) {
                 break;
             }
         }
@@ -58,13 +58,13 @@ impl<'a> Graph<'a> {
 
 /// Chains edges to curves: first open curves, starting from the lowest vertex, then closed ones.
 pub(super) fn chain_edges(edges: &[[u32; 2]], vertex_count: usize, place: impl Fn(u32) -> DVec3) -> Result<Curves> {
-    let mut graph = Graph::new(edges, vertex_count)?;
+    let mut graph = EdgeGraph::new(edges, vertex_count)?;
     let mut curves = Curves { offsets: vec![0], ..Curves::default() };
     let mut chain = Vec::new();
     for pass in [false, true] {
         for vertex in 0..vertex_count as u32 {
-            while graph.is_inner(vertex) == pass {
-                graph.chain(vertex, &mut chain)?;
+            while graph.has_two_edges(vertex) == pass {
+                graph.follow_chain(vertex, &mut chain)?;
                 if chain.len() < 2 {
                     break;
                 }
@@ -80,7 +80,7 @@ pub(super) fn chain_edges(edges: &[[u32; 2]], vertex_count: usize, place: impl F
 }
 
 /// The edges of curves.
-pub(super) fn edges(curves: &Curves) -> Result<Vec<[u32; 2]>> {
+pub(super) fn edges_of_curves(curves: &Curves) -> Result<Vec<[u32; 2]>> {
     let mut edges = Vec::new();
     for (ends, &closed) in curves.offsets.windows(2).zip(&curves.closed) {
         let (first, end) = (ends[0], ends[1]);
@@ -130,6 +130,6 @@ mod tests {
     fn curves_give_their_edges_back() {
         let points = vec![[0.0; 3]; 6];
         let curves = Curves { points, offsets: vec![0, 3, 6], closed: vec![false, true] };
-        assert_eq!(edges(&curves).unwrap(), [[0, 1], [1, 2], [3, 4], [4, 5], [5, 3]]);
+        assert_eq!(edges_of_curves(&curves).unwrap(), [[0, 1], [1, 2], [3, 4], [4, 5], [5, 3]]);
     }
 }

@@ -5,23 +5,26 @@
 //! few nodes at discontinuities then cannot spoil the fit of the others. O(sample) per round; a few
 //! rounds.
 
-use super::levels::Levels;
-use super::predict::{CoordinateRows, MARGIN_BEFORE, NEIGHBOURS, Predictor, WEIGHTS, WEIGHTS_PER_ERROR, place};
-use super::rows::{NodeState, Row};
+use super::levels::LevelMap;
+use super::predictor::{
+    CoordinateRows, MARGIN_NODES_BEFORE, NEIGHBOUR_COUNT, Predictor, WEIGHT_COUNT, WEIGHTS_PER_ERROR, normalised_place,
+};
+use super::row_coder::{NodeRow, NodeState};
 use gusset_base::alloc;
 use gusset_base::error::Result;
 
 /// All orders of three coordinates.
-pub(super) const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+pub(super) const COORDINATE_ORDERS: [[usize; 3]; 6] =
+    [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
 /// The cost of a predictor's weight in a stream, in bits.
-const WEIGHT_BITS: f64 = 14.0;
+const WEIGHT_COST_BITS: f64 = 14.0;
 
 /// A node of the sample.
 #[derive(Clone, Copy)]
-struct Point {
+struct SampleNode {
     /// For each coordinate the neighbours' differences from W, in the order of the weights, and the
     /// node's own.
-    neighbours: [[f64; NEIGHBOURS]; 3],
+    neighbours: [[f64; NEIGHBOUR_COUNT]; 3],
     own: [f64; 3],
     /// Column and row, -1 to 1.
     column: f64,
@@ -29,37 +32,37 @@ struct Point {
 }
 
 /// Nodes of some rows of a block.
-pub(super) struct Sample {
-    points: Vec<Point>,
+pub(super) struct NodeSample {
+    points: Vec<SampleNode>,
     /// Nodes of the block per node of the sample.
     nodes_per_point: f64,
 }
 
 /// A predictor, the cost of the sample with it in bits, and its errors.
-struct Fit {
-    weights: [f64; WEIGHTS],
+struct PredictorFit {
+    weights: [f64; WEIGHT_COUNT],
     cost: f64,
     errors: Vec<f64>,
 }
 
-impl Sample {
+impl NodeSample {
     /// About `count` nodes in rows spread over `rows`. `load` reads a row.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
-    pub(super) fn new<T, L: Levels<T>>(
+    pub(super) fn new<T, L: LevelMap<T>>(
         rows: std::ops::Range<usize>,
         height: usize,
         columns: usize,
         count: usize,
         levels: &L,
-        load: impl Fn(usize, &mut Row),
+        load: impl Fn(usize, &mut NodeRow),
     ) -> Result<Self> {
         // Every `step`-th node of few rows, as three rows are read for one.
         let lines = (count / 64).clamp(1, rows.len().max(3) - 2);
         let step = (columns * lines / count).max(1);
         let mut points = alloc::with_capacity(lines * columns.div_ceil(step))?;
-        let (mut row, mut known) = (Row::new(columns)?, alloc::filled(true, columns)?);
+        let (mut row, mut known) = (NodeRow::new(columns)?, alloc::filled(true, columns)?);
         let mut state = [CoordinateRows::new(columns)?, CoordinateRows::new(columns)?, CoordinateRows::new(columns)?];
         for line in 0..if rows.len() > 2 { lines } else { 0 } {
             let at = rows.start + 2 + line * (rows.len() - 2) / lines;
@@ -68,30 +71,35 @@ impl Sample {
                 load(i, &mut row);
                 known.iter_mut().zip(&row.nodes).for_each(|(known, &node)| *known = node == NodeState::Coded);
                 for (line, from) in state.iter_mut().zip(&row.levels) {
-                    enter(line, i - first, from, &known, levels);
+                    enter_row(line, i - first, from, &known, levels);
                 }
             }
             for j in (0..columns).step_by(step).filter(|&j| known[j]) {
                 let neighbours = std::array::from_fn(|axis| state[axis].neighbours(j));
                 let own = std::array::from_fn(|axis| {
-                    state[axis].here[MARGIN_BEFORE + j] - state[axis].here[MARGIN_BEFORE + j - 1]
+                    state[axis].here[MARGIN_NODES_BEFORE + j] - state[axis].here[MARGIN_NODES_BEFORE + j - 1]
                 });
-                points.push(Point { neighbours, own, column: place(j, columns), row: place(at, height) });
+                points.push(SampleNode {
+                    neighbours,
+                    own,
+                    column: normalised_place(j, columns),
+                    row: normalised_place(at, height),
+                });
             }
         }
-        scale(&mut points, state.map(|line| levels.resolution(max_magnitude_in_row(&line))));
+        scale_differences(&mut points, state.map(|line| levels.resolution(max_magnitude_in_row(&line))));
         let nodes_per_point = (rows.len() * columns) as f64 / points.len().max(1) as f64;
-        Ok(Sample { points, nodes_per_point })
+        Ok(NodeSample { points, nodes_per_point })
     }
 
     /// Returns the order of coordinates of least cost.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
-    pub(super) fn best_order(&self, fraction: u32) -> Result<usize> {
+    pub(super) fn best_coordinate_order(&self, fraction: u32) -> Result<usize> {
         let mut best = (f64::INFINITY, 0);
-        for (k, order) in ORDERS.into_iter().enumerate() {
-            let cost = self.predictors(order, fraction, 1)?.1;
+        for (k, order) in COORDINATE_ORDERS.into_iter().enumerate() {
+            let cost = self.fit_predictors(order, fraction, 1)?.1;
             if cost < best.0 {
                 best = (cost, k);
             }
@@ -103,10 +111,15 @@ impl Sample {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
-    pub(super) fn predictors(&self, order: [usize; 3], fraction: u32, rounds: usize) -> Result<([Predictor; 3], f64)> {
-        let mut fits: Vec<Fit> = alloc::with_capacity(3)?;
+    pub(super) fn fit_predictors(
+        &self,
+        order: [usize; 3],
+        fraction: u32,
+        rounds: usize,
+    ) -> Result<([Predictor; 3], f64)> {
+        let mut fits: Vec<PredictorFit> = alloc::with_capacity(3)?;
         for axis in order {
-            let fit = self.fit(axis, &fits, rounds)?;
+            let fit = self.fit_axis(axis, &fits, rounds)?;
             fits.push(fit);
         }
         let cost = fits.iter().map(|fit| fit.cost).sum();
@@ -115,16 +128,16 @@ impl Sample {
 
     /// Returns the best of three predictors: the parallelogram, with added errors of the
     /// coordinates before, and with all weights free.
-    fn fit(&self, axis: usize, before: &[Fit], rounds: usize) -> Result<Fit> {
-        let mut best = self.evaluated(axis, before, Predictor::PARALLELOGRAM)?;
-        for free in [NEIGHBOURS, 0] {
-            if free == NEIGHBOURS && before.is_empty() {
+    fn fit_axis(&self, axis: usize, before: &[PredictorFit], rounds: usize) -> Result<PredictorFit> {
+        let mut best = self.evaluate_weights(axis, before, Predictor::PARALLELOGRAM)?;
+        for free in [NEIGHBOUR_COUNT, 0] {
+            if free == NEIGHBOUR_COUNT && before.is_empty() {
                 continue;
             }
-            let mut fit = self.evaluated(axis, before, Predictor::PARALLELOGRAM)?;
+            let mut fit = self.evaluate_weights(axis, before, Predictor::PARALLELOGRAM)?;
             for _ in 0..rounds {
-                let weights = self.refitted(axis, before, &fit, free)?;
-                fit = self.evaluated(axis, before, weights)?;
+                let weights = self.refit_weights(axis, before, &fit, free)?;
+                fit = self.evaluate_weights(axis, before, weights)?;
             }
             if fit.cost < best.cost {
                 best = fit;
@@ -134,11 +147,11 @@ impl Sample {
     }
 
     /// Returns the features of a point: its neighbours, and the errors of the coordinates before.
-    fn features(&self, axis: usize, before: &[Fit], at: usize) -> [f64; WEIGHTS] {
+    fn features_of_node(&self, axis: usize, before: &[PredictorFit], at: usize) -> [f64; WEIGHT_COUNT] {
         let point = &self.points[at];
-        let mut features = [0.0; WEIGHTS];
-        features[..NEIGHBOURS].copy_from_slice(&point.neighbours[axis]);
-        for (fit, to) in before.iter().zip(features[NEIGHBOURS..].chunks_exact_mut(WEIGHTS_PER_ERROR)) {
+        let mut features = [0.0; WEIGHT_COUNT];
+        features[..NEIGHBOUR_COUNT].copy_from_slice(&point.neighbours[axis]);
+        for (fit, to) in before.iter().zip(features[NEIGHBOUR_COUNT..].chunks_exact_mut(WEIGHTS_PER_ERROR)) {
             let error = fit.errors[at];
             to.copy_from_slice(&[error, error * point.column, error * point.row]);
         }
@@ -146,13 +159,18 @@ impl Sample {
     }
 
     /// Returns the cost and errors of given weights.
-    fn evaluated(&self, axis: usize, before: &[Fit], weights: [f64; WEIGHTS]) -> Result<Fit> {
+    fn evaluate_weights(
+        &self,
+        axis: usize,
+        before: &[PredictorFit],
+        weights: [f64; WEIGHT_COUNT],
+    ) -> Result<PredictorFit> {
         let used = weights.iter().filter(|&&weight| weight != 0.0).count();
-        let mut fit = Fit { weights, cost: 0.0, errors: alloc::with_capacity(self.points.len())? };
+        let mut fit = PredictorFit { weights, cost: 0.0, errors: alloc::with_capacity(self.points.len())? };
         // The logarithm of a product, taken before it leaves the range.
         let mut product = 1.0;
         for at in 0..self.points.len() {
-            let features = self.features(axis, before, at);
+            let features = self.features_of_node(axis, before, at);
             let guess: f64 = features.iter().zip(&weights).map(|(x, weight)| x * weight).sum();
             let error = self.points[at].own[axis] - guess;
             let error = if error.is_finite() { error } else { 0.0 };
@@ -164,23 +182,29 @@ impl Sample {
             }
         }
         fit.cost += libm::log2(product);
-        fit.cost += WEIGHT_BITS * used as f64 / self.nodes_per_point;
+        fit.cost += WEIGHT_COST_BITS * used as f64 / self.nodes_per_point;
         Ok(fit)
     }
 
     /// Weighted least squares about the weights of `fit`, with Cauchy weights from its errors;
     /// weights before `first` stay. Normal equations with a regularised diagonal, so that
     /// undetermined weights stay.
-    fn refitted(&self, axis: usize, before: &[Fit], fit: &Fit, first: usize) -> Result<[f64; WEIGHTS]> {
-        let count = NEIGHBOURS + WEIGHTS_PER_ERROR * before.len();
+    fn refit_weights(
+        &self,
+        axis: usize,
+        before: &[PredictorFit],
+        fit: &PredictorFit,
+        first: usize,
+    ) -> Result<[f64; WEIGHT_COUNT]> {
+        let count = NEIGHBOUR_COUNT + WEIGHTS_PER_ERROR * before.len();
         let scale = 2.0 * median(&fit.errors)? + 1.0;
-        let mut normal = [[0.0; WEIGHTS]; WEIGHTS];
-        let mut right = [0.0; WEIGHTS];
+        let mut normal = [[0.0; WEIGHT_COUNT]; WEIGHT_COUNT];
+        let mut right = [0.0; WEIGHT_COUNT];
         for at in 0..self.points.len() {
             let error = fit.errors[at];
             let relative = error / scale;
             let weight = 1.0 / (1.0 + relative * relative);
-            let features = self.features(axis, before, at);
+            let features = self.features_of_node(axis, before, at);
             for a in first..count {
                 let weighted = weight * features[a];
                 right[a] += weighted * error;
@@ -190,7 +214,7 @@ impl Sample {
             }
         }
         let mut weights = fit.weights;
-        let change = cholesky(normal, right, first..count);
+        let change = solve_by_cholesky(normal, right, first..count);
         weights.iter_mut().zip(change).for_each(|(weight, change)| *weight += change);
         Ok(weights)
     }
@@ -198,11 +222,11 @@ impl Sample {
 
 /// Returns the largest absolute value in the current row of a coordinate.
 fn max_magnitude_in_row(rows: &CoordinateRows) -> f64 {
-    rows.here[MARGIN_BEFORE..].iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
+    rows.here[MARGIN_NODES_BEFORE..].iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
 }
 
 /// Scales differences to units of the resolution.
-fn scale(points: &mut [Point], resolution: [f64; 3]) {
+fn scale_differences(points: &mut [SampleNode], resolution: [f64; 3]) {
     for point in points {
         for ((neighbours, own), unit) in point.neighbours.iter_mut().zip(&mut point.own).zip(resolution) {
             neighbours.iter_mut().chain([own]).for_each(|x| *x /= unit);
@@ -211,20 +235,20 @@ fn scale(points: &mut [Point], resolution: [f64; 3]) {
 }
 
 /// Enters a row into the state of a coordinate.
-fn enter<T, L: Levels<T>>(line: &mut CoordinateRows, i: usize, row: &[i64], known: &[bool], levels: &L) {
-    line.advance(i);
+fn enter_row<T, L: LevelMap<T>>(line: &mut CoordinateRows, i: usize, row: &[i64], known: &[bool], levels: &L) {
+    line.advance_to_row(i);
     let mut last = 0.0;
-    for ((to, &level), &known) in line.here[MARGIN_BEFORE..].iter_mut().zip(row).zip(known) {
+    for ((to, &level), &known) in line.here[MARGIN_NODES_BEFORE..].iter_mut().zip(row).zip(known) {
         let value = levels.predictor_value(level);
         if known && value.is_finite() {
             last = value;
         }
         *to = last;
     }
-    line.fill_gaps(known);
+    line.fill_missing_nodes(known);
     if i == 0 {
-        let first = line.here[MARGIN_BEFORE];
-        line.here[..MARGIN_BEFORE].fill(first);
+        let first = line.here[MARGIN_NODES_BEFORE];
+        line.here[..MARGIN_NODES_BEFORE].fill(first);
     }
 }
 
@@ -240,11 +264,11 @@ fn median(errors: &[f64]) -> Result<f64> {
 
 /// Solves the symmetric equations of some rows, given by their lower triangle, by Cholesky
 /// factorisation. Zeros elsewhere, and if the solution is not finite.
-fn cholesky(
-    mut normal: [[f64; WEIGHTS]; WEIGHTS],
-    mut right: [f64; WEIGHTS],
+fn solve_by_cholesky(
+    mut normal: [[f64; WEIGHT_COUNT]; WEIGHT_COUNT],
+    mut right: [f64; WEIGHT_COUNT],
     rows: std::ops::Range<usize>,
-) -> [f64; WEIGHTS] {
+) -> [f64; WEIGHT_COUNT] {
     let largest = rows.clone().map(|k| normal[k][k]).fold(0.0, f64::max);
     for a in rows.clone() {
         normal[a][a] += 1e-9 * largest + f64::MIN_POSITIVE;
