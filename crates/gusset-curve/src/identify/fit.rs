@@ -43,7 +43,11 @@ impl Fit {
     /// If outline `k` does not exist.
     pub fn curve(&self, k: usize) -> CurveView<'_> {
         let [from, to] = [self.starts[k], self.starts[k + 1]];
-        CurveView::trusted(&self.points[from[0]..to[0]], &self.ends[from[1]..to[1]], self.closed && to[1] > from[1] + 1)
+        CurveView::new_unchecked(
+            &self.points[from[0]..to[0]],
+            &self.ends[from[1]..to[1]],
+            self.closed && to[1] > from[1] + 1,
+        )
     }
 
     /// Returns the place of a point on its curve; points are counted over all outlines.

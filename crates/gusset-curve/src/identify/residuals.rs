@@ -16,7 +16,7 @@ pub(super) fn measure(nodes: &Nodes, curve: &CurveBuilder, report: &mut Report) 
     let mut farthest = 0.0f64;
     for (node, result) in nodes.points.iter().zip(&nodes.results) {
         if result.status != PointStatus::Missed {
-            let at = segment::point(curve.segment(result.place.segment as usize), result.place.t);
+            let at = segment::point_at(curve.segment(result.place.segment as usize), result.place.t);
             farthest = farthest.max(at.distance_squared(*node));
         }
     }

@@ -56,10 +56,10 @@ impl Bounds {
         let frame = UnitFrame::from_points(controls);
         let mut slopes = [0.0; MAX_DEGREE];
         for (slope, pair) in slopes.iter_mut().zip(controls.windows(2)) {
-            *slope = frame.point(pair[1])[axis] - frame.point(pair[0])[axis];
+            *slope = frame.point_to_frame(pair[1])[axis] - frame.point_to_frame(pair[0])[axis];
         }
         for &t in roots(&slopes[..n], f64::EPSILON).as_slice() {
-            let x = segment::point(controls, t)[axis];
+            let x = segment::point_at(controls, t)[axis];
             self.low[axis] = self.low[axis].min(x);
             self.high[axis] = self.high[axis].max(x);
         }

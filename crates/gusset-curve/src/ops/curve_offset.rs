@@ -10,7 +10,7 @@
 //! tangent. Pieces are halved until the measured deviation is small enough.
 
 use super::evaluate::tangent;
-use crate::curve::segment::{self, jet};
+use crate::curve::segment::{self, point_and_derivatives};
 use crate::curve::unit_frame::UnitFrame;
 use crate::curve::{Curve, CurveView};
 use glam::DVec3;
@@ -65,9 +65,9 @@ impl CurveView<'_> {
     /// [`Error::OptionOutOfRange`] (the distance is not finite or beyond 1e100 sizes of the curve;
     /// an option), [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn offset(&self, distance: f64, options: &OffsetOptions, job: &Job<'_>) -> Result<Offset> {
-        self.check_plane()?;
+        self.check_in_xy_plane()?;
         let frame = UnitFrame::from_points(self.points());
-        let d = frame.length(distance);
+        let d = frame.length_to_frame(distance);
         Error::require(d.abs() <= 1e100, "distance", distance)?;
         Error::require(options.tolerance > 0.0, "tolerance", options.tolerance)?;
         Error::require((2..=3).contains(&options.degree), "degree", options.degree as f64)?;
@@ -76,7 +76,7 @@ impl CurveView<'_> {
             job: *job,
             frame,
             d,
-            tolerance: frame.length(options.tolerance).max(1e-13 * (1.0 + d.abs())),
+            tolerance: frame.length_to_frame(options.tolerance).max(1e-13 * (1.0 + d.abs())),
             options: *options,
             pieces: 0,
             end: DVec3::ZERO,
@@ -87,7 +87,7 @@ impl CurveView<'_> {
                 continue;
             }
             fit.job = job.share(k, self.len());
-            fit.segment(&frame.segment(controls))?;
+            fit.segment(&frame.segment_to_frame(controls))?;
         }
         job.step(1.0, STAGE)?;
         fit.finish(self.is_closed())
@@ -136,17 +136,17 @@ impl OffsetFit<'_> {
     fn begin(&mut self, at: DVec3) -> Result<()> {
         let curve = &mut self.offset.curve;
         if curve.points.is_empty() {
-            *curve = Curve::from_point(self.frame.point_back(at))?;
+            *curve = Curve::from_point(self.frame.point_from_frame(at))?;
         } else if self.end.distance(at) > 1e-9 * (1.0 + self.d.abs()) {
             self.offset.corners += 1;
-            curve.push(&straight(self.end, at, self.options.degree, &self.frame)[..self.options.degree])?;
+            curve.push_segment(&straight(self.end, at, self.options.degree, &self.frame)[..self.options.degree])?;
         }
         self.end = at;
         Ok(())
     }
 
     fn spot(&mut self, controls: &[DVec3], t: f64) -> OffsetPoint {
-        let [point, first, second] = jet(controls, t);
+        let [point, first, second] = point_and_derivatives(controls, t);
         let along = tangent(controls, t);
         let pace = first.length();
         let speed = if pace > 1e-13 {
@@ -180,7 +180,7 @@ impl OffsetFit<'_> {
         self.offset.deviation = self.offset.deviation.max(deviation);
         self.pieces += 1;
         self.end = to.point;
-        self.offset.curve.push(&fitted.map(|p| self.frame.point_back(p))[1..=degree])
+        self.offset.curve.push_segment(&fitted.map(|p| self.frame.point_from_frame(p))[1..=degree])
     }
 
     /// Returns the largest distance of the piece from the true offset. Each sample is compared with
@@ -190,7 +190,7 @@ impl OffsetFit<'_> {
         let mut max = 0.0f64;
         for k in 1..=SAMPLES_PER_PIECE {
             let u = f64::from(k) / f64::from(SAMPLES_PER_PIECE + 1);
-            let q = segment::point(fitted, u);
+            let q = segment::point_at(fitted, u);
             let mut spot = self.spot(controls, from.t + (to.t - from.t) * u);
             let mut min = spot.point.distance(q);
             for _ in 0..2 {
@@ -212,21 +212,30 @@ impl OffsetFit<'_> {
             return Err(Error::EmptyCurve);
         };
         if closed {
-            self.begin(self.frame.point(start))?;
+            self.begin(self.frame.point_to_frame(start))?;
             let curve = &mut self.offset.curve;
             curve.closed = true;
             curve.points.pop();
             curve.points.push(start);
         }
         let deviation = self.offset.deviation;
-        Ok(Offset { deviation: self.frame.length_back(deviation), reached: deviation <= self.tolerance, ..self.offset })
+        Ok(Offset {
+            deviation: self.frame.length_from_frame(deviation),
+            reached: deviation <= self.tolerance,
+            ..self.offset
+        })
     }
 }
 
 /// Returns the control points of a straight segment except the first.
 fn straight(a: DVec3, b: DVec3, degree: usize, frame: &UnitFrame) -> [DVec3; 3] {
-    [1, 2, 3]
-        .map(|k| if k == degree { frame.point_back(b) } else { frame.point_back(a.lerp(b, k as f64 / degree as f64)) })
+    [1, 2, 3].map(|k| {
+        if k == degree {
+            frame.point_from_frame(b)
+        } else {
+            frame.point_from_frame(a.lerp(b, k as f64 / degree as f64))
+        }
+    })
 }
 
 /// Returns the cubic with the given ends and derivatives.

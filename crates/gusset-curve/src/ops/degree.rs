@@ -98,18 +98,18 @@ impl CurveView<'_> {
                 continue;
             }
             let frame = UnitFrame::from_points(controls);
-            let local = frame.segment(controls);
+            let local = frame.segment_to_frame(controls);
             let fitted = least_squares(&local, highest);
-            let deviation = frame.length_back(deviation(&local, fitted));
+            let deviation = frame.length_from_frame(deviation(&local, fitted));
             reduced.deviations.push(deviation);
             if deviation > tolerance || deviation == f64::INFINITY {
                 alloc::push(&mut reduced.kept, k as u32)?;
-                reduced.curve.push(&controls[1..])?;
+                reduced.curve.push_segment(&controls[1..])?;
                 continue;
             }
-            let mut back = SegmentBuffer::from_mapped(&fitted, |p| frame.point_back(p));
+            let mut back = SegmentBuffer::from_mapped(&fitted, |p| frame.point_from_frame(p));
             back[highest] = controls[controls.len() - 1];
-            reduced.curve.push(&back[1..])?;
+            reduced.curve.push_segment(&back[1..])?;
         }
         Ok(reduced)
     }
@@ -127,11 +127,11 @@ impl Curve {
     /// Appends a segment, elevated to `degree` if its degree is lower.
     fn push_elevated(&mut self, controls: &[DVec3], degree: usize) -> Result<()> {
         if controls.len() > degree {
-            return self.push(&controls[1..]);
+            return self.push_segment(&controls[1..]);
         }
         let mut elevated = SegmentBuffer::new(controls);
         elevated.elevate(degree);
-        self.push(&elevated[1..])
+        self.push_segment(&elevated[1..])
     }
 }
 

@@ -20,7 +20,7 @@ impl CurveView<'_> {
     /// [`Error::NoSuchPlace`]: the segment does not exist, or t is outside 0 to 1.
     pub fn point(&self, place: Place) -> Result<DVec3> {
         self.check_place(0, place)?;
-        Ok(segment::point(self.segment(place.segment as usize), place.t))
+        Ok(segment::point_at(self.segment(place.segment as usize), place.t))
     }
 
     /// Returns the points at many places.
@@ -28,7 +28,7 @@ impl CurveView<'_> {
     /// # Errors
     /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn points_at(&self, places: &[Place], job: &Job<'_>) -> Result<Vec<DVec3>> {
-        self.at_each(places, segment::point, job)
+        self.at_each(places, segment::point_at, job)
     }
 
     /// Returns the unit tangent at a place, or 0; see [`tangents_at`](Self::tangents_at).
@@ -55,8 +55,8 @@ impl CurveView<'_> {
             self.check_place(index, place)?;
             let mut derived = SegmentBuffer::new(self.segment(place.segment as usize));
             for _ in 0..=order {
-                out.push(segment::point(&derived, place.t));
-                derived.derive();
+                out.push(segment::point_at(&derived, place.t));
+                derived.differentiate();
             }
         }
         Ok(out)
@@ -95,10 +95,10 @@ impl CurveView<'_> {
 /// Returns the first three derivatives at `t`, in the segment's own frame.
 fn derivatives(controls: &[DVec3], t: f64) -> (UnitFrame, [DVec3; 3]) {
     let frame = UnitFrame::from_points(controls);
-    let mut derived = frame.segment(controls);
+    let mut derived = frame.segment_to_frame(controls);
     let values = [(); 3].map(|()| {
-        derived.derive();
-        segment::point(&derived, t)
+        derived.differentiate();
+        segment::point_at(&derived, t)
     });
     (frame, values)
 }
@@ -129,11 +129,11 @@ fn curvature(controls: &[DVec3], t: f64) -> f64 {
         let along = segment::first_leg(controls);
         let along = along / along.abs().max_element().max(f64::MIN_POSITIVE);
         let straight = controls.iter().all(|&p| {
-            let leg = frame.point(p) - frame.point(controls[0]);
+            let leg = frame.point_to_frame(p) - frame.point_to_frame(controls[0]);
             leg.cross(along).length() <= MIN_DERIVATIVE * leg.length()
         });
         return if straight { 0.0 } else { f64::INFINITY };
     }
     let signed = if controls.iter().all(|p| p.z == 0.0) { across.z } else { across.length() };
-    frame.length(signed / (speed * speed * speed))
+    frame.length_to_frame(signed / (speed * speed * speed))
 }

@@ -62,7 +62,7 @@ impl CurveView<'_> {
     /// [`Error::CurveNotPlane`], [`Error::OptionOutOfRange`] (a degree above 3, which SVG lacks:
     /// see [`reduced`](Self::reduced)), [`Error::OutOfMemory`], [`Error::Cancelled`]. O(points).
     pub fn svg_path(&self, job: &Job<'_>) -> Result<String> {
-        self.check_plane()?;
+        self.check_in_xy_plane()?;
         self.check_degrees(1..=3)?;
         let mut text = String::new();
         let Some(&start) = self.points().first() else {
@@ -100,7 +100,7 @@ impl CurveView<'_> {
     /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (a degree above 2, or the tolerance),
     /// [`Error::OutOfMemory`], [`Error::Cancelled`]. O(points).
     pub fn contour(&self, tolerance: f64, job: &Job<'_>) -> Result<Contour> {
-        self.check_plane()?;
+        self.check_in_xy_plane()?;
         self.check_degrees(1..=2)?;
         Error::require(tolerance >= 0.0, "tolerance", tolerance)?;
         if self.is_empty() {
@@ -156,8 +156,9 @@ impl CurveView<'_> {
             job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "writing a spline")?;
             let (before, after) = (self.segment(k - 1), self.segment(k));
             knot += interval;
-            let joint = frame.point(after[0]);
-            let (arriving, leaving) = (joint - frame.point(before[n - 1]), frame.point(after[1]) - joint);
+            let joint = frame.point_to_frame(after[0]);
+            let (arriving, leaving) =
+                (joint - frame.point_to_frame(before[n - 1]), frame.point_to_frame(after[1]) - joint);
             match ratio(arriving, leaving).map(|ratio| interval * ratio) {
                 // Outside this range the knots would coincide.
                 Some(next) if n > 1 && (1e-6..1e6).contains(&next) => {

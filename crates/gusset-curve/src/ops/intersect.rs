@@ -84,12 +84,12 @@ impl CurveView<'_> {
     /// [`OutOfMemory`](gusset_base::Error::OutOfMemory),
     /// [`Cancelled`](gusset_base::Error::Cancelled).
     pub fn intersections(&self, other: &CurveView<'_>, job: &Job<'_>) -> Result<Intersections> {
-        self.check_plane()?;
-        other.check_plane()?;
+        self.check_in_xy_plane()?;
+        other.check_in_xy_plane()?;
         let frame = UnitFrame::from_points(self.points().iter().chain(other.points()));
         let (ours, theirs) = (self.pieces(&frame, 0)?, other.pieces(&frame, 0)?);
         let mut all = Intersections::from_pieces(&ours, &theirs, |_, _| Some(Joined::default()), job)?;
-        all.merge([self.period(), other.period()])?;
+        all.merge([self.period_in_segments(), other.period_in_segments()])?;
         Ok(all)
     }
 
@@ -101,7 +101,7 @@ impl CurveView<'_> {
     /// # Errors
     /// The errors of [`intersections`](Self::intersections).
     pub fn self_intersections(&self, job: &Job<'_>) -> Result<Intersections> {
-        self.check_plane()?;
+        self.check_in_xy_plane()?;
         let frame = UnitFrame::from_points(self.points());
         let pieces = self.pieces(&frame, MAX_DEPTH)?;
         let last = pieces.len().saturating_sub(1);
@@ -109,15 +109,15 @@ impl CurveView<'_> {
             (i > k).then_some(Joined { after: i == k + 1, before: self.is_closed() && k == 0 && i == last })
         };
         let mut all = Intersections::from_pieces(&pieces, &pieces, joined, job)?;
-        let period = self.period();
+        let period = self.period_in_segments();
         for found in &mut all.points {
             // The end of a closed curve is its start.
-            if found.b.position() >= period - SAME_PARAMETER {
+            if found.b.global_parameter() >= period - SAME_PARAMETER {
                 *found = Intersection { a: Place::START, b: found.a };
             }
         }
         all.points.retain(|found| {
-            let gap = (found.b.position() - found.a.position()).abs();
+            let gap = (found.b.global_parameter() - found.a.global_parameter()).abs();
             gap.min((period - gap).abs()) > 10.0 * SAME_PARAMETER
         });
         all.merge([period; 2])?;
@@ -130,11 +130,11 @@ impl CurveView<'_> {
     /// unless `depth` asks for self-intersections.
     fn pieces(&self, frame: &UnitFrame, depth: u32) -> Result<Vec<Piece>> {
         let mut pieces = alloc::with_capacity(self.len())?;
-        for (k, controls) in self.segments().enumerate().filter(|(_, controls)| !segment::is_point(controls)) {
-            push_simple(Part::whole(frame.segment(controls)), k as u32, depth, &mut pieces)?;
+        for (k, controls) in self.segments().enumerate().filter(|(_, controls)| !segment::is_single_point(controls)) {
+            push_simple(Part::whole(frame.segment_to_frame(controls)), k as u32, depth, &mut pieces)?;
         }
         if pieces.is_empty() && depth == 0 && !self.is_empty() {
-            push_simple(Part::whole(frame.segment(self.segment(0))), 0, depth, &mut pieces)?;
+            push_simple(Part::whole(frame.segment_to_frame(self.segment(0))), 0, depth, &mut pieces)?;
         }
         Ok(pieces)
     }
@@ -191,13 +191,15 @@ impl Intersections {
 
     /// Sorts the points, and removes ends of overlaps and duplicates from joints.
     fn merge(&mut self, periods: [f64; 2]) -> Result<()> {
-        let start = |overlap: &Overlap| [overlap.a[0].position(), overlap.b[0].position()];
+        let start = |overlap: &Overlap| [overlap.a[0].global_parameter(), overlap.b[0].global_parameter()];
         sort::stable(&mut self.overlaps, &|x, y| compare_places(start(x), start(y)));
         let mut ends = alloc::with_capacity(2 * self.overlaps.len())?;
-        ends.extend(self.overlaps.iter().flat_map(|o| [0, 1].map(|i| [o.a[i].position(), o.b[i].position()])));
+        ends.extend(
+            self.overlaps.iter().flat_map(|o| [0, 1].map(|i| [o.a[i].global_parameter(), o.b[i].global_parameter()])),
+        );
         sort::stable(&mut ends, &|&x, &y| compare_places(x, y));
         self.points.retain(|m| {
-            let [a, b] = [m.a.position(), m.b.position()];
+            let [a, b] = [m.a.global_parameter(), m.b.global_parameter()];
             // The end of a closed curve is its start.
             let at_end = |shift: f64| {
                 let from = ends.partition_point(|end| end[0] < a + shift - SAME_PARAMETER);
@@ -206,7 +208,7 @@ impl Intersections {
             };
             ![0.0, periods[0], -periods[0]].into_iter().any(at_end)
         });
-        sort_distinct(&mut self.points, |m| [m.a.position(), m.b.position()], periods, SAME_PARAMETER);
+        sort_distinct(&mut self.points, |m| [m.a.global_parameter(), m.b.global_parameter()], periods, SAME_PARAMETER);
         Ok(())
     }
 }

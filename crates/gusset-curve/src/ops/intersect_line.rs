@@ -1,7 +1,7 @@
 //! Intersections of a curve with a plane, and of a plane curve with a line. They are the roots of
 //! the distance, which is a polynomial in Bernstein form on each segment.
 
-use crate::curve::unit_frame::{UnitFrame, power_to_one};
+use crate::curve::unit_frame::{UnitFrame, power_of_two_to_unit_size};
 use crate::curve::{CurveView, MAX_DEGREE, Place, check_finite};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -52,7 +52,7 @@ impl CurveView<'_> {
             job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "crossings with a plane")?;
             let mut heights = [0.0; MAX_DEGREE + 1];
             for (height, &p) in heights.iter_mut().zip(controls) {
-                *height = normal.dot(frame.point(p)) - level;
+                *height = normal.dot(frame.point_to_frame(p)) - level;
             }
             let at = roots(&heights[..controls.len()], MAX_TOUCH_DISTANCE);
             if at.everywhere {
@@ -73,7 +73,7 @@ impl CurveView<'_> {
     /// [`Error::CurveNotPlane`] (the curve, or point or direction as points 0 and 1 of the line,
     /// have z other than 0), and the errors of [`intersect_plane`](Self::intersect_plane).
     pub fn intersect_line(&self, point: DVec3, direction: DVec3, job: &Job<'_>) -> Result<PlaneIntersections> {
-        self.check_plane()?;
+        self.check_in_xy_plane()?;
         check_finite(0, point)?;
         check_finite(1, direction)?;
         if point.z != 0.0 || direction.z != 0.0 {
@@ -88,9 +88,9 @@ impl CurveView<'_> {
 /// number of digits, so they are summed without error (Dekker's products, Shewchuk's expansions,
 /// 1997).
 fn level(frame: &UnitFrame, point: DVec3, normal: DVec3) -> f64 {
-    let normal = normal * power_to_one(normal.abs().max_element());
+    let normal = normal * power_of_two_to_unit_size(normal.abs().max_element());
     let (mut sum, mut len) = ([0.0; 12], 0);
-    for part in frame.point_with_remainder(point) {
+    for part in frame.point_to_frame_with_rounding_error(point) {
         for axis in 0..3 {
             let product = normal[axis] * part[axis];
             for mut term in [normal[axis].mul_add(part[axis], -product), product] {

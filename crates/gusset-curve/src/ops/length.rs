@@ -56,7 +56,7 @@ impl<'a> Lengths<'a> {
 
     /// Returns the arc length of the whole curve, in the unit of the points.
     pub fn total(&self) -> f64 {
-        self.frame.length_back(self.ends.last().copied().unwrap_or(0.0))
+        self.frame.length_from_frame(self.ends.last().copied().unwrap_or(0.0))
     }
 
     /// Returns the arc length from the start to a place.
@@ -67,10 +67,10 @@ impl<'a> Lengths<'a> {
         self.curve.check_place(0, place)?;
         let k = place.segment as usize;
         if place.t == 1.0 {
-            return Ok(self.frame.length_back(self.ends[k]));
+            return Ok(self.frame.length_from_frame(self.ends[k]));
         }
         let arc = Arc::new(&self.frame, self.curve.segment(k));
-        Ok(self.frame.length_back(self.length_before(k) + arc.length(0.0, place.t)))
+        Ok(self.frame.length_from_frame(self.length_before(k) + arc.length(0.0, place.t)))
     }
 
     /// Returns the place at an arc length from the start. Lengths below 0 and above the total are
@@ -83,7 +83,7 @@ impl<'a> Lengths<'a> {
         if self.curve.is_empty() {
             return Err(Error::EmptyCurve);
         }
-        Ok(self.place_at_frame_length(self.frame.length(length)))
+        Ok(self.place_at_frame_length(self.frame.length_to_frame(length)))
     }
 
     /// Returns the place at the fraction k / n of the total length.
@@ -125,15 +125,15 @@ struct Arc {
 
 impl Arc {
     fn new(frame: &UnitFrame, controls: &[DVec3]) -> Self {
-        let mut velocity = frame.segment(controls);
-        velocity.derive();
+        let mut velocity = frame.segment_to_frame(controls);
+        velocity.differentiate();
         let turns =
             if velocity.len() > 2 { DistanceSlope::new(&velocity, DVec3::ZERO).roots() } else { Roots::default() };
         Arc { velocity, turns }
     }
 
     fn speed(&self, t: f64) -> f64 {
-        segment::point(&self.velocity, t).length()
+        segment::point_at(&self.velocity, t).length()
     }
 
     /// Returns the length from parameter `a` to `b`.

@@ -2,7 +2,7 @@
 //! [`near_misses`](super::near_misses).
 
 use super::part::{Part, chord, separates};
-use crate::curve::segment::jet;
+use crate::curve::segment::point_and_derivatives;
 use glam::{DVec2, DVec3};
 use gusset_base::geom::Aabb;
 
@@ -20,7 +20,7 @@ pub(super) struct Descent {
 /// B_i+1 + B_i).
 pub(super) fn derivative_range(part: &Part, order: usize) -> (DVec3, f64) {
     let mut derived = part.controls;
-    (0..order).for_each(|_| derived.derive());
+    (0..order).for_each(|_| derived.differentiate());
     if derived.is_empty() {
         return (DVec3::ZERO, 0.0);
     }
@@ -80,7 +80,7 @@ pub(super) fn count_minima(p: &Part, q: &Part) -> Option<usize> {
 
 /// Minimises |A - B|^2 / 2 within a box by Newton and Gauss-Newton steps.
 pub(super) fn minimise_distance(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, high: DVec2) -> Descent {
-    let jets = |at: DVec2| (jet::<3>(whole[0], at.x), jet::<3>(whole[1], at.y));
+    let jets = |at: DVec2| (point_and_derivatives::<3>(whole[0], at.x), point_and_derivatives::<3>(whole[1], at.y));
     let mut at = start.clamp(low, high);
     let (mut a, mut b) = jets(at);
     let slope = |a: &[DVec3; 3], b: &[DVec3; 3]| {

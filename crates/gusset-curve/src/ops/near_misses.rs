@@ -20,7 +20,7 @@
 use super::intersect::Overlap;
 use super::near_miss_bounds::{Descent, are_apart, count_minima, minimise_distance};
 use super::part::{Part, compare_places, halve, sort_distinct};
-use crate::curve::segment::{self, SegmentBuffer, jet};
+use crate::curve::segment::{self, SegmentBuffer, point_and_derivatives};
 use crate::curve::unit_frame::UnitFrame;
 use crate::curve::{CurveView, Place};
 use glam::{DVec2, DVec3};
@@ -128,14 +128,14 @@ impl CurveView<'_> {
         }
         Error::require((0.0..f64::INFINITY).contains(&within), "within", within)?;
         let frame = UnitFrame::from_points(self.points().iter().chain(other.points()));
-        let points = [frame.points(self.points())?, frame.points(other.points())?];
+        let points = [frame.points_to_frame(self.points())?, frame.points_to_frame(other.points())?];
         let sides = [
-            CurveView::trusted(&points[0], self.ends(), self.is_closed()),
-            CurveView::trusted(&points[1], other.ends(), other.is_closed()),
+            CurveView::new_unchecked(&points[0], self.ends(), self.is_closed()),
+            CurveView::new_unchecked(&points[1], other.ends(), other.is_closed()),
         ];
         // Points of the frame are at most 2 sqrt(3) apart, and a larger limit could be infinite in
         // it.
-        let within = frame.length(within).clamp(ROUNDING, 4.0);
+        let within = frame.length_to_frame(within).clamp(ROUNDING, 4.0);
         let mut search =
             NearMissSearch { sides, within, minima: Vec::new(), unresolved: Vec::new(), given_up: 0, undecided: false };
         let numbers = [segments_with_extent(&sides[0])?, segments_with_extent(&sides[1])?];
@@ -159,7 +159,7 @@ impl CurveView<'_> {
 /// Returns the segments with extent; segments that are points coincide with the ends of their
 /// neighbours. If all segments are points, returns the first.
 fn segments_with_extent(curve: &CurveView<'_>) -> Result<Vec<u32>> {
-    let all = (0..curve.len() as u32).filter(|&k| !segment::is_point(curve.segment(k as usize)));
+    let all = (0..curve.len() as u32).filter(|&k| !segment::is_single_point(curve.segment(k as usize)));
     let found = alloc::gather(all)?;
     if found.is_empty() { alloc::filled(0, 1) } else { Ok(found) }
 }
@@ -227,7 +227,7 @@ impl Subdivision<[Part; 2], 2> for PairSearch<'_, '_> {
         self.exhausted |= exhausted;
         let [low, high] = corners(&[p, q]);
         let middle = (low + high) * 0.5;
-        let [x, y] = [segment::point(self.whole[0], middle.x), segment::point(self.whole[1], middle.y)];
+        let [x, y] = [segment::point_at(self.whole[0], middle.x), segment::point_at(self.whole[1], middle.y)];
         let half = ((high - low) * 0.5).extend(0.0);
         let middle = (segment_offsets(self.numbers) + middle).extend(0.0);
         alloc::push(&mut self.search.unresolved, UnresolvedBox { middle, half, residual: x.distance(y) })
@@ -319,7 +319,7 @@ impl NearMissSearch<'_> {
     fn is_isolated(&self, minimum: &Minimum) -> bool {
         let numbers = [0, 1].map(|k| (minimum.at[k] as usize).min(self.sides[k].len() - 1));
         let at = minimum.at - segment_offsets(numbers);
-        let [a, b] = [0, 1].map(|k| jet::<3>(self.sides[k].segment(numbers[k]), at[k]));
+        let [a, b] = [0, 1].map(|k| point_and_derivatives::<3>(self.sides[k].segment(numbers[k]), at[k]));
         let gap = a[0] - b[0];
         let (x, y) = (a[1].length_squared() + gap.dot(a[2]), b[1].length_squared() - gap.dot(b[2]));
         let mixed = a[1].dot(b[1]);
@@ -371,7 +371,7 @@ impl NearMissSearch<'_> {
             }
         }
         sort::stable(overlaps, &|x, y| {
-            let start = |overlap: &Overlap| [overlap.a[0].position(), overlap.b[0].position()];
+            let start = |overlap: &Overlap| [overlap.a[0].global_parameter(), overlap.b[0].global_parameter()];
             compare_places(start(x), start(y))
         });
         overlaps.dedup();
@@ -388,11 +388,11 @@ impl NearMissSearch<'_> {
         };
         self.add_overlaps(place, &mut found.overlaps, job)?;
         found.undecided = self.undecided;
-        let periods = sides.map(|curve| curve.period());
+        let periods = sides.map(|curve| curve.period_in_segments());
         sort_distinct(&mut self.minima, |found| found.at.to_array(), periods, SAME_PARAMETER);
         found.places = alloc::collect(self.minima.iter().map(|found| {
             let (a, b) = (place(0, found.at.x), place(1, found.at.y));
-            NearMiss { a, b, distance: frame.length_back(found.distance) }
+            NearMiss { a, b, distance: frame.length_from_frame(found.distance) }
         }))?;
         Ok(found)
     }

@@ -124,8 +124,8 @@ impl<'a> CurveSearch<'a> {
     /// Builds the tree of a curve.
     pub fn new(curve: &CurveView<'a>) -> Result<Self> {
         let frame = UnitFrame::from_points(curve.points());
-        let points = frame.points(curve.points())?;
-        let boxes = CurveView::trusted(&points, curve.ends(), false);
+        let points = frame.points_to_frame(curve.points())?;
+        let boxes = CurveView::new_unchecked(&points, curve.ends(), false);
         let tree = BoxTree::new(boxes.segments().map(Aabb::from_points))?;
         Ok(CurveSearch { curve: *curve, frame, points, tree })
     }
@@ -137,12 +137,12 @@ impl<'a> CurveSearch<'a> {
             return Ok(Nearest { place: Place::START, point, distance: distance(point, q) });
         }
         let place = self.place(self.in_frame(q), job)?;
-        let point = segment::point(self.curve.segment(place.segment as usize), place.t);
+        let point = segment::point_at(self.curve.segment(place.segment as usize), place.t);
         Ok(Nearest { place, point, distance: distance(point, q) })
     }
 
     fn in_frame(&self, q: DVec3) -> DVec3 {
-        let local = self.frame.point(q);
+        let local = self.frame.point_to_frame(q);
         if local.abs().max_element() <= MAX_QUERY_DISTANCE {
             return local;
         }
@@ -152,7 +152,7 @@ impl<'a> CurveSearch<'a> {
 
     /// Returns the place nearest to a point of the frame.
     fn place(&self, q: DVec3, job: &Job<'_>) -> Result<Place> {
-        let local = CurveView::trusted(&self.points, self.curve.ends(), false);
+        let local = CurveView::new_unchecked(&self.points, self.curve.ends(), false);
         let mut best = (Place::START, local.segment(0)[0].distance_squared(q));
         let (mut looked, mut heard) = (0_usize, Ok(()));
         self.tree.nearest(q, best.1, &mut |k| {
@@ -195,7 +195,7 @@ impl<'a> CurveSetSearch<'a> {
         let frame = UnitFrame::from_points(curves.iter().flat_map(CurveView::points));
         let around = |curve: &CurveView<'_>| {
             let Aabb { low, high } = Aabb::from_points(curve.points());
-            Aabb { low: frame.point(low) - BOX_ROUNDING, high: frame.point(high) + BOX_ROUNDING }
+            Aabb { low: frame.point_to_frame(low) - BOX_ROUNDING, high: frame.point_to_frame(high) + BOX_ROUNDING }
         };
         let tree = BoxTree::new(searches.iter().map(|(_, search)| around(&search.curve)))?;
         Ok(CurveSetSearch { searches, frame, tree })
@@ -204,7 +204,7 @@ impl<'a> CurveSetSearch<'a> {
     fn nearest(&self, q: DVec3, job: &Job<'_>) -> Result<(usize, Nearest)> {
         // For queries so distant that squares overflow, the boxes are useless and every curve is
         // searched.
-        let local = self.frame.point(q).clamp(DVec3::splat(-MAX_COORDINATE), DVec3::splat(MAX_COORDINATE));
+        let local = self.frame.point_to_frame(q).clamp(DVec3::splat(-MAX_COORDINATE), DVec3::splat(MAX_COORDINATE));
         let (mut best, mut heard) = (None::<(usize, Nearest)>, Ok(()));
         self.tree.nearest(local, f64::INFINITY, &mut |k| {
             let (curve, search) = &self.searches[k];
@@ -219,8 +219,9 @@ impl<'a> CurveSetSearch<'a> {
             if best.as_ref().is_none_or(nearer) {
                 best = Some((*curve, found));
             }
-            let bound = best
-                .map_or(f64::INFINITY, |(_, nearest)| self.frame.length(nearest.distance) * (1.0 + DISTANCE_ROUNDING));
+            let bound = best.map_or(f64::INFINITY, |(_, nearest)| {
+                self.frame.length_to_frame(nearest.distance) * (1.0 + DISTANCE_ROUNDING)
+            });
             bound * bound + f64::MIN_POSITIVE
         });
         heard?;
@@ -253,7 +254,7 @@ struct Best<'a> {
 
 impl Best<'_> {
     fn squared_distance(&self, t: f64) -> f64 {
-        segment::point(self.controls, t).distance_squared(self.q)
+        segment::point_at(self.controls, t).distance_squared(self.q)
     }
 
     fn offer(&mut self, t: f64) {
@@ -295,7 +296,7 @@ impl Best<'_> {
             // A point on the curve within rounding cannot be improved.
             if t >= searched
                 && self.squared > (4.0 * f64::EPSILON * size).powi(2)
-                && let Some(flat) = slope.flat_interval(t)
+                && let Some(flat) = slope.interval_with_uncertain_sign(t)
             {
                 self.search(flat);
                 searched = flat[1];

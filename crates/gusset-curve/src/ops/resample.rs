@@ -96,11 +96,11 @@ impl<'a> Walk<'a> {
     fn add(&mut self, place: Place) -> Result<()> {
         let count = self.samples.places.len();
         if count.is_multiple_of(POINTS_PER_REPORT) {
-            self.job.step(place.position() / self.curve.len() as f64, STAGE)?;
+            self.job.step(place.global_parameter() / self.curve.len() as f64, STAGE)?;
         }
         within_limit(count as u64 + 1)?;
         alloc::push(&mut self.samples.places, place)?;
-        let point = segment::point(self.curve.segment(place.segment as usize), place.t);
+        let point = segment::point_at(self.curve.segment(place.segment as usize), place.t);
         alloc::push(&mut self.samples.points, point)
     }
 
@@ -120,7 +120,7 @@ impl<'a> Walk<'a> {
             }
         }
         if !self.curve.is_closed() {
-            self.add(self.curve.last_place())?;
+            self.add(self.curve.end_place())?;
         }
         Ok(self.samples)
     }
@@ -129,7 +129,7 @@ impl<'a> Walk<'a> {
         let frame = UnitFrame::from_points(self.curve.points());
         self.add(Place::START)?;
         for (k, controls) in self.curve.segments().enumerate() {
-            self.flatten(k as u32, frame.segment(controls), [0.0, 1.0], frame.length(tolerance), 20)?;
+            self.flatten(k as u32, frame.segment_to_frame(controls), [0.0, 1.0], frame.length_to_frame(tolerance), 20)?;
         }
         if self.curve.is_closed() && self.samples.places.len() > 1 {
             self.samples.places.pop();

@@ -22,7 +22,7 @@
 
 use super::nearest::nearest_on;
 use super::part::{Part, chord, halve, separates};
-use crate::curve::segment::{self, SegmentBuffer, jet};
+use crate::curve::segment::{self, SegmentBuffer, point_and_derivatives};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -183,7 +183,7 @@ impl SegmentIntersections {
     fn merge(&mut self, a: &[DVec3], b: &[DVec3]) {
         sort::stable(&mut self.at, &|x, y| x[0].total_cmp(&y[0]));
         let together = |x: [f64; 2], y: [f64; 2]| {
-            let middle = segment::point(a, 0.5 * (x[0] + y[0]));
+            let middle = segment::point_at(a, 0.5 * (x[0] + y[0]));
             (x[0] - y[0]).abs().max((x[1] - y[1]).abs()) <= MAX_TOUCH_PARAMETER
                 && nearest_on(b, middle).1 <= MAX_COMMON_DISTANCE * MAX_COMMON_DISTANCE
         };
@@ -198,7 +198,7 @@ impl SegmentIntersections {
             }
             self.at[kept] = [0.5 * (first[0] + last[0]), 0.5 * (first[1] + last[1])];
             if first != last {
-                self.at[kept][1] = snap(nearest_on(b, segment::point(a, self.at[kept][0])).0);
+                self.at[kept][1] = snap(nearest_on(b, segment::point_at(a, self.at[kept][0])).0);
             }
             kept += 1;
         }
@@ -273,7 +273,7 @@ fn solve(rows: [[f64; 2]; 2], right: [f64; 2]) -> Option<[f64; 2]> {
 fn newton(a: &[DVec3], b: &[DVec3], p: &Part, q: &Part) -> Option<[f64; 2]> {
     let (mut s, mut t) = (p.middle(), q.middle());
     for _ in 0..30 {
-        let ([at, u, _], [bt, v, _]) = (jet::<3>(a, s), jet::<3>(b, t));
+        let ([at, u, _], [bt, v, _]) = (point_and_derivatives::<3>(a, s), point_and_derivatives::<3>(b, t));
         let gap = bt - at;
         let [ds, dt] = solve([[u.x, -v.x], [u.y, -v.y]], [gap.x, gap.y])?;
         let (next_s, next_t) = ((s + ds).clamp(p.from, p.to), (t + dt).clamp(q.from, q.to));
@@ -283,7 +283,7 @@ fn newton(a: &[DVec3], b: &[DVec3], p: &Part, q: &Part) -> Option<[f64; 2]> {
             break;
         }
     }
-    let near = segment::point(a, s).distance(segment::point(b, t)) <= 4.0 * BOX_SLACK;
+    let near = segment::point_at(a, s).distance(segment::point_at(b, t)) <= 4.0 * BOX_SLACK;
     near.then(|| [s, t].map(snap))
 }
 
@@ -303,10 +303,10 @@ fn snap(t: f64) -> f64 {
 fn touch(a: &[DVec3], b: &[DVec3], p: &Part, q: &Part) -> Option<[f64; 2]> {
     let start = [p.middle(), q.middle()];
     let reach = 8.0 * (p.to - p.from).max(q.to - q.from);
-    let common = |s: f64, t: f64| segment::point(a, s).distance(segment::point(b, t)) <= MAX_COMMON_DISTANCE;
+    let common = |s: f64, t: f64| segment::point_at(a, s).distance(segment::point_at(b, t)) <= MAX_COMMON_DISTANCE;
     let [mut s, mut t] = start;
     for _ in 0..8 {
-        let ([at, u, u2], [bt, v, v2]) = (jet::<3>(a, s), jet::<3>(b, t));
+        let ([at, u, u2], [bt, v, v2]) = (point_and_derivatives::<3>(a, s), point_and_derivatives::<3>(b, t));
         let gap = at - bt;
         let rows = [[cross_z(u2, v), cross_z(u, v2)], [u.dot(u) + gap.dot(u2), -v.dot(u)]];
         let Some([ds, dt]) = solve(rows, [-cross_z(u, v), -gap.dot(u)]) else { break };
@@ -317,8 +317,8 @@ fn touch(a: &[DVec3], b: &[DVec3], p: &Part, q: &Part) -> Option<[f64; 2]> {
     }
     let [mut s, mut t] = start;
     for _ in 0..4 {
-        t = nearest_on(b, segment::point(a, s)).0;
-        s = nearest_on(a, segment::point(b, t)).0;
+        t = nearest_on(b, segment::point_at(a, s)).0;
+        s = nearest_on(a, segment::point_at(b, t)).0;
     }
     let stays = (s - start[0]).abs().max((t - start[1]).abs()) <= reach;
     (stays && common(s, t)).then(|| [snap(s), snap(t)])
@@ -350,7 +350,7 @@ fn find_overlaps(a: &[DVec3], b: &[DVec3], found: &mut Vec<[[f64; 2]; 2]>) -> Re
         if s1 - s <= 4.0 * SAME_PARAMETER {
             continue;
         }
-        let between = |k: usize| segment::point(a, s + (s1 - s) * k as f64 / (samples + 1) as f64);
+        let between = |k: usize| segment::point_at(a, s + (s1 - s) * k as f64 / (samples + 1) as f64);
         if (1..=samples).all(|k| common(b, between(k)).is_some()) {
             alloc::push(found, [[s, s1], [t, t1]])?;
         }

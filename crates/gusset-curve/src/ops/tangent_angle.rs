@@ -112,7 +112,7 @@ impl Tangents {
         let count = controls.len() - 1;
         let mut legs = [DVec3::ZERO; MAX_DEGREE];
         for (leg, pair) in legs.iter_mut().zip(controls.windows(2)) {
-            *leg = frame.point(pair[1]) - frame.point(pair[0]);
+            *leg = frame.point_to_frame(pair[1]) - frame.point_to_frame(pair[0]);
         }
         let largest = legs[..count].iter().map(|leg| leg.length()).fold(0.0, f64::max);
         (largest > 0.0).then(|| {

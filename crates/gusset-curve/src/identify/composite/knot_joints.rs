@@ -82,7 +82,7 @@ pub(super) fn solve_with_fallback(
 fn has_run_away(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> bool {
     let (p, b) = (sub.points[i], solution.controls[i]);
     let section = [solution.joint(sub, sub.previous(i)), b, solution.joint(sub, i)];
-    let (away, miss) = (b.distance(p), segment::point(&section, solution.t[i]).distance(p));
+    let (away, miss) = (b.distance(p), segment::point_at(&section, solution.t[i]).distance(p));
     away.is_nan() || away > MAX_CONTROL_DISTANCE * sub.size || miss > MAX_MISS * sub.size
 }
 

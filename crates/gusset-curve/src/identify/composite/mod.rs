@@ -227,7 +227,7 @@ pub(super) fn write_closed(
         let beta = if solution.beta.is_empty() { 0.5 } else { solution.beta[i] };
         let end = if i + 1 == n { start } else { control + (next - control) * beta };
         *segment = [place(control), place(end)];
-        farthest = farthest.max(segment::point(&[joint, control, end], t).distance_squared(p));
+        farthest = farthest.max(segment::point_at(&[joint, control, end], t).distance_squared(p));
         angle.add(end - control, next - end);
         joint = end;
     }

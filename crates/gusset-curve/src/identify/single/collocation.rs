@@ -140,7 +140,7 @@ impl Collocation {
         // of them.
         for _ in 0..3 {
             for i in 1..=inner {
-                self.right[i - 1] = self.points[i] - segment::point(&self.controls, self.t[i]);
+                self.right[i - 1] = self.points[i] - segment::point_at(&self.controls, self.t[i]);
             }
             self.matrix.solve(&mut self.right[..inner]);
             self.controls[inner_range.clone()]
@@ -159,7 +159,7 @@ impl Collocation {
 
     /// Returns the distance of a point from its place on the curve.
     pub(super) fn distance(&self, i: usize) -> f64 {
-        segment::point(&self.controls, self.t[i]).distance(self.points[i])
+        segment::point_at(&self.controls, self.t[i]).distance(self.points[i])
     }
 
     /// Returns the largest residual, and the sum of squared residuals.

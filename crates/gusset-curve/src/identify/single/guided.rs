@@ -101,7 +101,7 @@ impl Collocation {
                 }
                 bernstein::basis(&mut self.basis, self.t[i]);
                 let slope = self.basis[own];
-                let left = p - segment::point(&self.controls, self.t[i]);
+                let left = p - segment::point_at(&self.controls, self.t[i]);
                 let direction = if normal.is_some() { self.guides[i] } else { left.normalize_or_zero() };
                 let along = match sub.options.solver {
                     Solver::Fast => direction.dot(left) / slope,
@@ -129,7 +129,7 @@ impl Collocation {
     /// Returns the place nearest `from` where the curve crosses the line through a point with a
     /// given normal.
     fn crossing(&self, p: DVec3, across: DVec3, from: f64) -> Option<f64> {
-        let f = |t: f64| across.dot(segment::point(&self.controls, t) - p);
+        let f = |t: f64| across.dot(segment::point_at(&self.controls, t) - p);
         let start = f(from);
         if start == 0.0 {
             return Some(from);
@@ -197,9 +197,9 @@ impl Collocation {
         }
         self.matrix.resize(inner)?;
         for i in 1..=inner {
-            let slope = segment::point(&self.slopes[..degree], self.t[i]);
+            let slope = segment::point_at(&self.slopes[..degree], self.t[i]);
             let across = normal.cross(slope);
-            let left = self.points[i] - segment::point(&self.controls, self.t[i]);
+            let left = self.points[i] - segment::point_at(&self.controls, self.t[i]);
             bernstein::basis(&mut self.basis, self.t[i]);
             let row = self.matrix.row(i - 1);
             for j in 1..=inner {
@@ -216,8 +216,8 @@ impl Collocation {
             self.controls[first + j - 1] += self.guides[j] * self.right[j - 1].x;
         }
         for i in 1..=inner {
-            let slope = segment::point(&self.slopes[..degree], self.previous_t[i - 1]);
-            let left = self.points[i] - segment::point(&self.controls, self.previous_t[i - 1]);
+            let slope = segment::point_at(&self.slopes[..degree], self.previous_t[i - 1]);
+            let left = self.points[i] - segment::point_at(&self.controls, self.previous_t[i - 1]);
             self.right[i - 1].y = slope.dot(left) / slope.length_squared();
         }
         Ok(true)
