@@ -244,14 +244,14 @@ impl<'a> Worker<'a> {
         let placement = self.nodes.placement;
         let (sub, results) = self.nodes.as_subcurve(self.options);
         let mut out = Output { results, report, builder: &mut self.builder, job };
-        composite::solve(&sub, &mut self.composite, &mut out)?;
+        composite::solve_composite_curve(&sub, &mut self.composite, &mut out)?;
         if span.len() >= POINTS_PER_REPORT {
             job.step(1.0, STAGE)?;
         }
         let (n, solution, done) = (sub.len(), &*self.composite.solution(), &mut self.done);
         alloc::grow(&mut done.points, base + 2 * n + 1, DVec3::ZERO)?;
         let place = |p: DVec3| p * placement.unit + placement.origin;
-        composite::write_closed(&sub, solution, place, &mut done.points[base..], report);
+        composite::write_closed_curve(&sub, solution, place, &mut done.points[base..], report);
         alloc::reserve(&mut done.ends, n + 1)?;
         done.ends.extend((0..=n as u32).map(|k| 2 * k));
         alloc::push(&mut done.starts, [done.points.len(), done.ends.len()])?;
@@ -360,7 +360,7 @@ fn append(
         Mode::BlendC1 | Mode::BlendC2 => blend::append(sub, composite.solution(), out),
         Mode::CubicC2 => cubic_spline::append(sub, composite.solution(), out),
         Mode::Single => single::append(sub, single, composite, out),
-        Mode::Composite | Mode::Chain => composite::append(sub, composite, out),
+        Mode::Composite | Mode::Chain => composite::append_composite_curve(sub, composite, out),
     }?;
     out.report.iterations = out.report.iterations.max(before);
     Ok(())

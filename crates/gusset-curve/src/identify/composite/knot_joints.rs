@@ -21,7 +21,7 @@ use gusset_base::error::Result;
 const MAX_CONTROL_DISTANCE: f64 = 4.0;
 
 /// The largest distance between the curve and a point that it passes, in sizes of the outline.
-const MAX_MISS: f64 = 1e-14;
+const MAX_POINT_MISS_DISTANCE: f64 = 1e-14;
 
 /// The rounds in which individual joints fall back, before all joints do.
 const MAX_FALLBACK_ROUNDS: u32 = 3;
@@ -55,9 +55,9 @@ pub(super) fn solve_with_fallback(
 ) -> Result<bool> {
     let none_runs_away = |solution: &Solution| !sub.sections().any(|i| has_run_away(sub, solution, i));
     for round in 0..=MAX_FALLBACK_ROUNDS {
-        let regular = equations::solve(sub, &mut workspace.solution)
+        let regular = equations::solve_control_points(sub, &mut workspace.solution)
             && none_runs_away(&workspace.solution)
-            && lock::solve(sub, workspace, out)?;
+            && lock::solve_lock(sub, workspace, out)?;
         if regular && none_runs_away(&workspace.solution) {
             return Ok(true);
         }
@@ -73,7 +73,7 @@ pub(super) fn solve_with_fallback(
     }
     // Even with middle joints the lock has no nearby solution, so use the lock by parameters
     // everywhere.
-    equations::solve(sub, &mut workspace.solution);
+    equations::solve_control_points(sub, &mut workspace.solution);
     Ok(false)
 }
 
@@ -83,7 +83,7 @@ fn has_run_away(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> bool {
     let (p, b) = (sub.points[i], solution.controls[i]);
     let section = [solution.joint(sub, sub.previous(i)), b, solution.joint(sub, i)];
     let (away, miss) = (b.distance(p), segment::point_at(&section, solution.t[i]).distance(p));
-    away.is_nan() || away > MAX_CONTROL_DISTANCE * sub.size || miss > MAX_MISS * sub.size
+    away.is_nan() || away > MAX_CONTROL_DISTANCE * sub.size || miss > MAX_POINT_MISS_DISTANCE * sub.size
 }
 
 #[cfg(test)]
@@ -104,7 +104,7 @@ mod tests {
         workspace.solution.resize(9).unwrap();
         workspace.solution.t.fill(0.4);
         workspace.solution.data_t.fill(0.4);
-        equations::solve(&sub, &mut workspace.solution);
+        equations::solve_control_points(&sub, &mut workspace.solution);
         let halves = workspace.solution.controls.clone();
         workspace.solution.reset_joints(9).unwrap();
         workspace.solution.beta[4] = f64::NAN;

@@ -48,43 +48,51 @@ impl CompositeWorkspace {
 }
 
 /// Appends the composite curve of a subcurve's points.
-pub(super) fn append(sub: &Subcurve<'_>, workspace: &mut CompositeWorkspace, out: &mut Output<'_>) -> Result<()> {
-    solve(sub, workspace, out)?;
+pub(super) fn append_composite_curve(
+    sub: &Subcurve<'_>,
+    workspace: &mut CompositeWorkspace,
+    out: &mut Output<'_>,
+) -> Result<()> {
+    solve_composite_curve(sub, workspace, out)?;
     let solution = workspace.solution();
     if !solution.handles.is_empty() {
         return append_cubics(sub, solution, out);
     }
     if !sub.closed {
-        return append_open(sub, solution, out);
+        return append_open_quadratics(sub, solution, out);
     }
     let places = (0..).zip(&solution.t).map(|(segment, &t)| Place { segment, t });
     out.results.iter_mut().zip(places).for_each(|(result, place)| result.place = place);
-    write_closed(sub, solution, |p| p, out.builder.closed_quadratics(sub.len())?, out.report);
+    write_closed_curve(sub, solution, |p| p, out.builder.closed_quadratics(sub.len())?, out.report);
     Ok(())
 }
 
 /// Finds parameters, joint parameters and control points.
-pub(super) fn solve(sub: &Subcurve<'_>, workspace: &mut CompositeWorkspace, out: &mut Output<'_>) -> Result<()> {
+pub(super) fn solve_composite_curve(
+    sub: &Subcurve<'_>,
+    workspace: &mut CompositeWorkspace,
+    out: &mut Output<'_>,
+) -> Result<()> {
     let CompositeWorkspace { lock: workspace, joints } = workspace;
     let (n, solution, options) = (sub.len(), &mut workspace.solution, sub.options);
     solution.resize(n)?;
     solution.beta.clear();
     solution.handles.clear();
-    find_parameters(sub, solution, out.results);
-    equations::solve(sub, solution);
+    find_section_parameters(sub, solution, out.results);
+    equations::solve_control_points(sub, solution);
     if (options.lock, options.joint, options.solver) == (Lock::Parameter, JointParameter::Half, Solver::Fast) {
         return Ok(());
     }
     solution.data_t[..n].copy_from_slice(&solution.t[..n]);
     match options.joint {
-        JointParameter::Half => lock::solve(sub, workspace, out).map(|_| ()),
+        JointParameter::Half => lock::solve_lock(sub, workspace, out).map(|_| ()),
         JointParameter::Knot => knot_joints::solve_by_knots(sub, workspace, out),
-        JointParameter::G2 => curvature::solve_by_curvatures(sub, workspace, joints, out),
+        JointParameter::G2 => curvature::solve_with_continuous_curvature(sub, workspace, joints, out),
     }
 }
 
 /// The parameters of the points by the method on the data's own triangles, within the limits.
-fn find_parameters(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult]) {
+fn find_section_parameters(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult]) {
     let options = sub.options;
     let [low, high] = sub.parameter_range();
     let enter = |t: f64, parameter: &mut f64, result: &mut PointResult| {
@@ -141,7 +149,7 @@ fn find_parameters(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [P
 }
 
 /// Appends the segments of an open subcurve, and stores the places of the points.
-fn append_open(sub: &Subcurve<'_>, solution: &Solution, out: &mut Output<'_>) -> Result<()> {
+fn append_open_quadratics(sub: &Subcurve<'_>, solution: &Solution, out: &mut Output<'_>) -> Result<()> {
     let Output { results, builder, .. } = out;
     let first = builder.len() as u32;
     let last = sub.len() - 1;
@@ -208,17 +216,17 @@ fn append_cubics(sub: &Subcurve<'_>, solution: &Solution, out: &mut Output<'_>) 
 /// Writes the control points of a closed subcurve, each p as `place(p)`: two for each point and one
 /// more. Section i is segment i. Measures the curve at the same time; see
 /// [`measure`](super::residuals::measure).
-pub(super) fn write_closed(
+pub(super) fn write_closed_curve(
     sub: &Subcurve<'_>,
     solution: &Solution,
-    place: impl Fn(DVec3) -> DVec3,
+    map_point: impl Fn(DVec3) -> DVec3,
     out: &mut [DVec3],
     report: &mut Report,
 ) {
     let n = sub.len();
     let start = solution.joint(sub, n - 1);
     let (first, rest) = out.split_at_mut(1);
-    first[0] = place(start);
+    first[0] = map_point(start);
     let controls = &solution.controls[..n];
     let following = controls[1..].iter().chain(&controls[..1]);
     let known = sub.points.iter().zip(controls).zip(following).zip(&solution.t);
@@ -226,7 +234,7 @@ pub(super) fn write_closed(
     for (i, (segment, (((&p, &control), &next), &t))) in rest.as_chunks_mut::<2>().0.iter_mut().zip(known).enumerate() {
         let beta = if solution.beta.is_empty() { 0.5 } else { solution.beta[i] };
         let end = if i + 1 == n { start } else { control + (next - control) * beta };
-        *segment = [place(control), place(end)];
+        *segment = [map_point(control), map_point(end)];
         farthest = farthest.max(segment::point_at(&[joint, control, end], t).distance_squared(p));
         angle.add(end - control, next - end);
         joint = end;

@@ -18,7 +18,7 @@
 //! the section does not cross the guide. O(n) for each sweep.
 
 use super::equations;
-use super::rounds::{MAX_FALLBACK_ROUNDS, max_iterations};
+use super::rounds::{MAX_FALLBACK_ROUNDS, max_iterations_of_round};
 use super::self_consistent;
 use crate::identify::guide::{guide, plane_normal};
 use crate::identify::identify_options::{Lock, Solver};
@@ -47,11 +47,11 @@ const STAGE: &str = "placing control points";
 
 /// Solves by sweeps, starting from control points that solve the linear equations. Returns false if
 /// the equations become singular, which requires joint parameters other than 1/2.
-pub(super) fn solve(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<bool> {
-    start(sub, solution, out.results)?;
+pub(super) fn solve_by_sweeps(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<bool> {
+    start_sweeps(sub, solution, out.results)?;
     let lock = sub.options.lock;
     for round in 0..=MAX_FALLBACK_ROUNDS {
-        let rests = converge(sub, solution, out, max_iterations(sub, out.report, round))?;
+        let rests = sweep_until_converged(sub, solution, out, max_iterations_of_round(sub, out.report, round))?;
         for i in sub.sections() {
             let moves = solution.controls[i].distance(solution.previous[i]) > sub.options.tolerance * sub.size;
             let fails = !rests && (moves || round + 1 >= MAX_FALLBACK_ROUNDS) && lock != Lock::Parameter;
@@ -69,7 +69,7 @@ pub(super) fn solve(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Outpu
         }
     }
     // With the current parameters, the curve passes the points exactly.
-    let regular = equations::solve(sub, solution);
+    let regular = equations::solve_control_points(sub, solution);
     let [low, high] = sub.parameter_range();
     for i in sub.sections() {
         match lock {
@@ -84,7 +84,7 @@ pub(super) fn solve(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Outpu
 }
 
 /// Moves the control points to the start of the sweeps.
-fn start(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult]) -> Result<()> {
+fn start_sweeps(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult]) -> Result<()> {
     if sub.options.lock == Lock::DataGuide {
         find_guides(sub, solution, results)?;
         for i in sub.sections() {
@@ -106,12 +106,17 @@ fn start(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult
 /// Sweeps until neither the moves nor their predicted sum exceed the tolerance. Moves that shrink
 /// by a ratio r sum up to r / (1 - r) of the last one. Keeps the control points before the last
 /// sweep.
-fn converge(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>, count: u32) -> Result<bool> {
+fn sweep_until_converged(
+    sub: &Subcurve<'_>,
+    solution: &mut Solution,
+    out: &mut Output<'_>,
+    max_sweeps: u32,
+) -> Result<bool> {
     let (report, n) = (&mut *out.report, sub.len());
     let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
     let rounding = 16.0 * f64::EPSILON * sub.size;
     let (mut last, mut placed) = (f64::INFINITY, 0_usize);
-    for sweep in 0..count {
+    for sweep in 0..max_sweeps {
         report.iterations += 1;
         solution.save_controls();
         let (mut farthest, mut all_placed) = (0.0f64, true);
@@ -122,7 +127,7 @@ fn converge(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>, c
             }
             placed += 1;
             let before = solution.controls[i];
-            all_placed &= place(sub, solution, (sweep, i), report, out.job)?;
+            all_placed &= place_control_point(sub, solution, (sweep, i), report, out.job)?;
             farthest = farthest.max(solution.controls[i].distance_squared(before));
         }
         let farthest = farthest.sqrt();
@@ -138,7 +143,7 @@ fn converge(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>, c
 }
 
 /// Places one control point. Returns false if the steps are used up.
-fn place(
+fn place_control_point(
     sub: &Subcurve<'_>,
     solution: &mut Solution,
     (sweep, i): (u32, usize),
@@ -150,8 +155,8 @@ fn place(
     let t = match sub.options.lock {
         _ if solution.fell_back[i] => solution.data_t[i],
         Lock::Parameter => solution.data_t[i],
-        Lock::SelfConsistent => self_consistent::parameter(sub.options, u, v).0,
-        Lock::DataGuide => match crossing(sub, solution, i) {
+        Lock::SelfConsistent => self_consistent::parameter_and_gradients(sub.options, u, v).0,
+        Lock::DataGuide => match guide_crossing_parameter(sub, solution, i) {
             Some(t) => {
                 guide = Some(solution.guides[i]);
                 solution.missed_guide[i] = false;
@@ -166,7 +171,7 @@ fn place(
     };
     solution.t[i] = t;
     let s = 1.0 - t;
-    let [_, slope, _] = equations::row(t, solution.joints[sub.previous(i)], solution.joints[i]);
+    let [_, slope, _] = equations::control_point_coefficients(t, solution.joints[sub.previous(i)], solution.joints[i]);
     // A point that has returned to its guide is first projected on it.
     let start = guide.map_or(b, |guide| guide * guide.dot(b));
     let left = -(u * (s * s) + b * (2.0 * t * s) + v * (t * t)) + (b - start) * slope;
@@ -190,7 +195,7 @@ fn place(
 
 /// Returns the parameter at which the section crosses the guide of its point; `None` if it does
 /// not.
-fn crossing(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> Option<f64> {
+fn guide_crossing_parameter(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> Option<f64> {
     let guide = solution.guides[i];
     let (before, after) = (sub.previous(i), sub.next(i));
     let p = sub.points[i];

@@ -44,7 +44,7 @@ pub(super) fn append(
         out.report.status = status;
         out.flag_all(PointStatus::CompositeInstead);
         let options = Options { lock: Lock::Parameter, solver: Solver::Fast, ..*sub.options };
-        return composite::append(&Subcurve { options: &options, ..*sub }, composite, out);
+        return composite::append_composite_curve(&Subcurve { options: &options, ..*sub }, composite, out);
     }
     let segment = out.builder.len() as u32;
     for (i, (result, &t)) in out.results.iter_mut().zip(&collocation.t).enumerate() {
