@@ -39,7 +39,7 @@ pub(super) fn find_corners_of_sections(
 ) -> Result<Vec<Vec<u32>>> {
     let mut all = alloc::with_capacity(rows)?;
     for k in 0..rows {
-        let span = sections.span(k);
+        let span = sections.point_range(k);
         let place = |point: usize| sections.constraints.partition_point(|c| (c.point as usize) < point);
         let constraints = &sections.constraints[place(span.start)..place(span.end)];
         let mut own = Vec::new();
@@ -139,7 +139,7 @@ fn indices_of_outstanding_turns(turns: &[(u32, f64)], closed: bool) -> Result<Ve
 pub(super) fn add_corner_constraints(sections: &Outlines<'_>, corners: &[Vec<u32>]) -> Result<Vec<Constraint>> {
     let mut all = alloc::copied(sections.constraints)?;
     for (k, own) in corners.iter().enumerate() {
-        let first = sections.span(k).start as u32;
+        let first = sections.point_range(k).start as u32;
         for &corner in own {
             let point = first + corner;
             if sections.constraints.binary_search_by_key(&point, |c| c.point).is_err() {

@@ -42,7 +42,7 @@ pub(super) fn compute_section_nodes(
     options: &FrameOptions<'_>,
     job: &Job<'_>,
 ) -> Result<SectionNodes> {
-    let rows = sections.check()?;
+    let rows = sections.check_offsets_and_constraints()?;
     let corners = find_corners_of_sections(sections, rows, options)?;
     let constraints = add_corner_constraints(sections, &corners)?;
     // The given points already include the corners.
@@ -163,7 +163,7 @@ fn add_nodes_of_closed_sections(
 ) -> Result<()> {
     let (rows, columns) = (found.rows, found.columns);
     let rings = orient_closed_sections(sections, curves, options, found, &job.part(0.0, 0.4))?;
-    let place = |k: usize, mark: u32| curves.place(sections.span(k).start + mark as usize);
+    let place = |k: usize, mark: u32| curves.place(sections.point_range(k).start + mark as usize);
     let mut along = alloc::collect(corners.iter().map(|_| Vec::new()))?;
     for (k, (along, own)) in along.iter_mut().zip(corners).enumerate() {
         alloc::append(along, own)?;
@@ -204,9 +204,9 @@ fn add_nodes_of_closed_sections(
             let far = alloc::try_collect(marks[0].iter().map(|&mark| rings[0].length_from_anchor(place(0, mark))))?;
             (0..count).min_by(|&i, &j| far[i].total_cmp(&far[j])).unwrap_or(0)
         }
-        false => {
-            farthest_from_mean(marks[0].iter().map(|&mark| sections.points.get(sections.span(0).start + mark as usize)))
-        }
+        false => farthest_from_mean(
+            marks[0].iter().map(|&mark| sections.points.get(sections.point_range(0).start + mark as usize)),
+        ),
     };
     marks.iter_mut().for_each(|marks| marks.rotate_left(first));
     // The interval of the section from each corner to the next.
@@ -238,7 +238,7 @@ fn orient_closed_sections<'a>(
             before = if backwards { -turn } else { turn };
         }
         found.turned[k] = backwards.into();
-        let span = sections.span(k);
+        let span = sections.point_range(k);
         let start =
             if options.given_starts { 0 } else { farthest_from_mean(span.clone().map(|i| sections.points.get(i))) };
         let anchor = lengths.length_to(curves.place(span.start + start))?;
@@ -265,11 +265,12 @@ fn add_nodes_of_open_sections(
     }
     let mut marks = shared_corners(sections, corners, columns.saturating_sub(2), &job.part(0.8, 1.0))?;
     for (k, marks) in marks.iter_mut().enumerate() {
-        alloc::push(marks, sections.span(k).len() as u32 - 1)?;
+        alloc::push(marks, sections.point_range(k).len() as u32 - 1)?;
         marks.insert(0, 0);
     }
-    let at =
-        |k: usize, i: usize| rings[k].lengths.length_to(curves.place(sections.span(k).start + marks[k][i] as usize));
+    let at = |k: usize, i: usize| {
+        rings[k].lengths.length_to(curves.place(sections.point_range(k).start + marks[k][i] as usize))
+    };
     let span = |k: usize, i: usize| Ok(at(k, i + 1)? - at(k, i)?);
     add_nodes_between_landmarks(&marks, &rings, curves, sections, columns, &span, found)?;
     found.corners.retain(|&node| !matches!(node as usize % columns, i if i == 0 || i + 1 == columns));
@@ -283,18 +284,19 @@ fn shared_corners(
     max_count: usize,
     job: &Job<'_>,
 ) -> Result<Vec<Vec<u32>>> {
-    let points = |k: usize| sections.span(k).map(|i| sections.points.get(i));
+    let points = |k: usize| sections.point_range(k).map(|i| sections.points.get(i));
     let centre = |k: usize| points(k).map(|p| p / points(k).len() as f64).sum::<DVec3>();
     let centres = alloc::collect((0..corners.len()).map(centre))?;
     let unit = corner_distance_unit(sections, corners, &centres)?;
-    let at = |k: usize, i: u32| sections.points.get(sections.span(k).start + i as usize) / unit - centres[k] / unit;
+    let at =
+        |k: usize, i: u32| sections.points.get(sections.point_range(k).start + i as usize) / unit - centres[k] / unit;
     match_corners(corners, sections.closed, max_count, &at, job)
 }
 
 /// Returns a unit of length in which the squares of corner distances are in range.
 fn corner_distance_unit(sections: &Outlines<'_>, corners: &[Vec<u32>], centres: &[DVec3]) -> Result<f64> {
     let of = |(k, own): (usize, &'_ Vec<u32>)| {
-        let first = sections.span(k).start;
+        let first = sections.point_range(k).start;
         own.iter().fold(DVec3::ZERO, move |most, &i| most.max(sections.points.get(first + i as usize).abs()))
     };
     let mut most = alloc::collect(corners.iter().enumerate().map(of))?;
@@ -325,7 +327,7 @@ fn add_nodes_between_landmarks(
     }
     let counts = apportion_parts(&shares, parts)?;
     for (k, ring) in rings.iter().enumerate() {
-        let place = |i: usize| curves.place(sections.span(k).start + marks[k][i] as usize);
+        let place = |i: usize| curves.place(sections.point_range(k).start + marks[k][i] as usize);
         for (i, &parts) in counts.iter().enumerate() {
             alloc::push(&mut found.corners, found.nodes.len() as u32)?;
             let whole = if ring.backwards { -span(k, i)? } else { span(k, i)? };
@@ -339,10 +341,10 @@ fn add_nodes_between_landmarks(
 }
 
 fn add_given_points(sections: &Outlines<'_>, corners: &[Vec<u32>], found: &mut SectionNodes) -> Result<()> {
-    let columns = sections.columns(found.rows)?;
+    let columns = sections.points_per_outline(found.rows)?;
     found.reserve(columns)?;
     for (k, corners) in corners.iter().enumerate() {
-        found.nodes.extend(sections.span(k).map(|i| sections.points.get(i)));
+        found.nodes.extend(sections.point_range(k).map(|i| sections.points.get(i)));
         alloc::extend(&mut found.corners, corners.iter().map(|&corner| (k * columns) as u32 + corner))?;
     }
     Ok(())
@@ -350,7 +352,7 @@ fn add_given_points(sections: &Outlines<'_>, corners: &[Vec<u32>], found: &mut S
 
 /// Returns the normal about which the polygon of a section turns, of length 1 or 0.
 fn section_normal(sections: &Outlines<'_>, k: usize) -> DVec3 {
-    let span = sections.span(k);
+    let span = sections.point_range(k);
     let start = sections.points.get(span.start);
     let seen = span.clone().map(|i| sections.points.get(i) * 0.25 - start * 0.25);
     let largest = seen.clone().fold(0.0, |m: f64, p| m.max(p.abs().max_element()));
@@ -402,7 +404,7 @@ fn add_landmark_nodes(
     found.reserve(columns.unwrap_or(usize::MAX))?;
     for k in 0..found.rows {
         let (curve, of_section) = (outline_curve(curves, k)?, job.share(k, found.rows));
-        let span = sections.span(k);
+        let span = sections.point_range(k);
         let own = &points[k * each..(k + 1) * each];
         // The landmarks must be in order along the section. In a closed section the order may wrap
         // around once.

@@ -57,8 +57,8 @@ pub(super) fn fill_missing(sections: &Outlines<'_>, options: &FrameOptions<'_>) 
 
 impl SectionRows {
     fn new(sections: &Outlines<'_>, options: &FrameOptions<'_>) -> Result<Self> {
-        let rows = sections.check()?;
-        let columns = sections.columns(rows)?;
+        let rows = sections.check_offsets_and_constraints()?;
+        let columns = sections.points_per_outline(rows)?;
         let mut is_missing = alloc::filled(false, sections.points.len())?;
         for &point in options.missing {
             let Some(mark) = is_missing.get_mut(point as usize) else {

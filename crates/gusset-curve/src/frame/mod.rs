@@ -104,7 +104,7 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
         made.grid.filled = filled;
         return Ok(made);
     }
-    let rows = sections.check()?;
+    let rows = sections.check_offsets_and_constraints()?;
     let least = |closed: bool| if closed { 3 } else { 2 };
     Error::require(rows >= least(options.ring), "sections", rows as f64)?;
     let found = correspond::compute_section_nodes(sections, options, &job.part(0.0, 0.4))?;

@@ -117,7 +117,7 @@ impl Fit {
     }
 
     /// Moves the curves of another result to the end.
-    pub(super) fn append(&mut self, other: &mut Fit) -> Result<()> {
+    pub(super) fn append_fit(&mut self, other: &mut Fit) -> Result<()> {
         let [points, ends] = [self.points.len(), self.ends.len()];
         alloc::append(&mut self.points, &other.points)?;
         alloc::append(&mut self.ends, &other.ends)?;

@@ -17,14 +17,14 @@
 //! With lambda = mu = 2/3 it is the quadratic. Its point at t has different weights of the three
 //! corners, see [`cubic_section_weights`]; everything else stays.
 
-use crate::identify::solution::Solution;
+use crate::identify::solution::CompositeSolution;
 use crate::identify::subcurve::Subcurve;
 use gusset_base::geom::linear::tridiagonal;
 
 /// Solves for the control points. Returns false if the equations are singular, which requires joint
 /// parameters other than 1/2.
-pub(super) fn solve_control_points(sub: &Subcurve<'_>, solution: &mut Solution) -> bool {
-    let Solution { t, beta, handles, controls, upper, across, .. } = solution;
+pub(super) fn solve_control_points(sub: &Subcurve<'_>, solution: &mut CompositeSolution) -> bool {
+    let CompositeSolution { t, beta, handles, controls, upper, across, .. } = solution;
     let n = sub.len();
     let (t, controls) = (&t[..n], &mut controls[..n]);
     let known = |i: usize| sub.points[i];
@@ -50,7 +50,7 @@ pub(super) fn solve_control_points(sub: &Subcurve<'_>, solution: &mut Solution) 
     let [start, end] = sub.end_controls();
     controls[0] = start.unwrap_or(sub.points[0]);
     controls[last] = end.unwrap_or(sub.points[last]);
-    let joint_parameter = |i: usize| Solution::joint_parameter(sub, beta, i);
+    let joint_parameter = |i: usize| CompositeSolution::joint_parameter(sub, beta, i);
     if !handles.is_empty() {
         return tridiagonal::solve(controls, upper, |i| cubic(i, joint_parameter(i - 1), joint_parameter(i)), known);
     }

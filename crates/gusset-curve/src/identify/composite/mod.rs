@@ -25,8 +25,8 @@ use super::identify_options::{JointParameter, Lock, Solver};
 use super::method::{Method, power};
 use super::report::{PointStatus, Report};
 use super::residuals::MaxJointSine;
-use super::solution::Solution;
-use super::subcurve::{Output, PointResult, Subcurve};
+use super::solution::CompositeSolution;
+use super::subcurve::{PointResult, Subcurve, SubcurveOutput};
 use crate::curve::{Place, segment};
 use curvature::CurvatureJoints;
 use glam::DVec3;
@@ -42,7 +42,7 @@ pub(super) struct CompositeWorkspace {
 
 impl CompositeWorkspace {
     /// Returns the unknowns; other kinds of curves use the lists for their own.
-    pub(super) fn solution(&mut self) -> &mut Solution {
+    pub(super) fn solution(&mut self) -> &mut CompositeSolution {
         &mut self.lock.solution
     }
 }
@@ -51,7 +51,7 @@ impl CompositeWorkspace {
 pub(super) fn append_composite_curve(
     sub: &Subcurve<'_>,
     workspace: &mut CompositeWorkspace,
-    out: &mut Output<'_>,
+    out: &mut SubcurveOutput<'_>,
 ) -> Result<()> {
     solve_composite_curve(sub, workspace, out)?;
     let solution = workspace.solution();
@@ -63,7 +63,7 @@ pub(super) fn append_composite_curve(
     }
     let places = (0..).zip(&solution.t).map(|(segment, &t)| Place { segment, t });
     out.results.iter_mut().zip(places).for_each(|(result, place)| result.place = place);
-    write_closed_curve(sub, solution, |p| p, out.builder.closed_quadratics(sub.len())?, out.report);
+    write_closed_curve(sub, solution, |p| p, out.builder.allocate_closed_quadratics(sub.len())?, out.report);
     Ok(())
 }
 
@@ -71,7 +71,7 @@ pub(super) fn append_composite_curve(
 pub(super) fn solve_composite_curve(
     sub: &Subcurve<'_>,
     workspace: &mut CompositeWorkspace,
-    out: &mut Output<'_>,
+    out: &mut SubcurveOutput<'_>,
 ) -> Result<()> {
     let CompositeWorkspace { lock: workspace, joints } = workspace;
     let (n, solution, options) = (sub.len(), &mut workspace.solution, sub.options);
@@ -92,24 +92,24 @@ pub(super) fn solve_composite_curve(
 }
 
 /// The parameters of the points by the method on the data's own triangles, within the limits.
-fn find_section_parameters(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult]) {
+fn find_section_parameters(sub: &Subcurve<'_>, solution: &mut CompositeSolution, results: &mut [PointResult]) {
     let options = sub.options;
-    let [low, high] = sub.parameter_range();
+    let [low, high] = sub.section_parameter_range();
     let enter = |t: f64, parameter: &mut f64, result: &mut PointResult| {
         *parameter = t.clamp(low, high);
         if options.lock == Lock::Parameter && !(low..=high).contains(&t) {
-            result.flag(PointStatus::ClampedParameter);
+            result.flag_status(PointStatus::ClampedParameter);
         }
     };
-    let sections = sub.sections();
-    let Some(alpha) = options.method.alpha() else {
+    let sections = sub.section_indices();
+    let Some(alpha) = options.method.chord_exponent() else {
         for i in sections {
-            let [a, p, c] = sub.triple(i);
-            let t = options.method.parameter(a, p, c).or_else(|status| {
+            let [a, p, c] = sub.point_and_neighbours(i);
+            let t = options.method.section_parameter(a, p, c).or_else(|status| {
                 if options.lock == Lock::Parameter {
-                    results[i].flag(status);
+                    results[i].flag_status(status);
                 }
-                Method::Bisector.parameter(a, p, c)
+                Method::Bisector.section_parameter(a, p, c)
             });
             enter(t.unwrap_or(0.5), &mut solution.t[i], &mut results[i]);
         }
@@ -149,26 +149,30 @@ fn find_section_parameters(sub: &Subcurve<'_>, solution: &mut Solution, results:
 }
 
 /// Appends the segments of an open subcurve, and stores the places of the points.
-fn append_open_quadratics(sub: &Subcurve<'_>, solution: &Solution, out: &mut Output<'_>) -> Result<()> {
-    let Output { results, builder, .. } = out;
+fn append_open_quadratics(
+    sub: &Subcurve<'_>,
+    solution: &CompositeSolution,
+    out: &mut SubcurveOutput<'_>,
+) -> Result<()> {
+    let SubcurveOutput { results, builder, .. } = out;
     let first = builder.len() as u32;
     let last = sub.len() - 1;
     let ends = sub.end_controls();
-    builder.begin(sub.points[0])?;
+    builder.begin_at_point(sub.points[0])?;
     results[0].place = Place { segment: first, t: 0.0 };
     match (last, ends) {
-        (1, [None, None]) => builder.push(&[sub.points[1]])?,
-        (1, [Some(control), None] | [None, Some(control)]) => builder.push(&[control, sub.points[1]])?,
+        (1, [None, None]) => builder.push_segment(&[sub.points[1]])?,
+        (1, [Some(control), None] | [None, Some(control)]) => builder.push_segment(&[control, sub.points[1]])?,
         _ => {
             if let Some(control) = ends[0] {
-                builder.push(&[control, solution.joint(sub, 0)])?;
+                builder.push_segment(&[control, solution.joint_point(sub, 0)])?;
             }
-            for i in sub.sections() {
+            for i in sub.section_indices() {
                 results[i].place = Place { segment: builder.len() as u32, t: solution.t[i] };
-                builder.push(&[solution.controls[i], solution.joint(sub, i)])?;
+                builder.push_segment(&[solution.controls[i], solution.joint_point(sub, i)])?;
             }
             if let Some(control) = ends[1] {
-                builder.push(&[control, sub.points[last]])?;
+                builder.push_segment(&[control, sub.points[last]])?;
             }
         }
     }
@@ -177,8 +181,8 @@ fn append_open_quadratics(sub: &Subcurve<'_>, solution: &Solution, out: &mut Out
 }
 
 /// Appends the segments of a subcurve of cubic sections, and stores the places of the points.
-fn append_cubics(sub: &Subcurve<'_>, solution: &Solution, out: &mut Output<'_>) -> Result<()> {
-    let Output { results, builder, .. } = out;
+fn append_cubics(sub: &Subcurve<'_>, solution: &CompositeSolution, out: &mut SubcurveOutput<'_>) -> Result<()> {
+    let SubcurveOutput { results, builder, .. } = out;
     let (n, ends) = (sub.len(), sub.end_controls());
     let last = n - 1;
     let of_section = |i: usize, first: DVec3, joint: DVec3| {
@@ -187,26 +191,26 @@ fn append_cubics(sub: &Subcurve<'_>, solution: &Solution, out: &mut Output<'_>) 
         let on = |from: DVec3, part: f64| if part == 1.0 { control } else { from + (control - from) * part };
         [on(first, lambda), on(joint, mu), joint]
     };
-    let mut from = if sub.closed { solution.joint(sub, last) } else { sub.points[0] };
+    let mut from = if sub.closed { solution.joint_point(sub, last) } else { sub.points[0] };
     let start = from;
-    builder.begin(from)?;
+    builder.begin_at_point(from)?;
     if !sub.closed {
         results[0].place = Place { segment: builder.len() as u32, t: 0.0 };
         if ends[0].is_some() {
-            let joint = solution.joint(sub, 0);
-            builder.push(&of_section(0, from, joint))?;
+            let joint = solution.joint_point(sub, 0);
+            builder.push_segment(&of_section(0, from, joint))?;
             from = joint;
         }
     }
-    for i in sub.sections() {
-        let joint = if sub.closed && i == last { start } else { solution.joint(sub, i) };
+    for i in sub.section_indices() {
+        let joint = if sub.closed && i == last { start } else { solution.joint_point(sub, i) };
         results[i].place = Place { segment: builder.len() as u32, t: solution.t[i] };
-        builder.push(&of_section(i, from, joint))?;
+        builder.push_segment(&of_section(i, from, joint))?;
         from = joint;
     }
     if !sub.closed {
         if ends[1].is_some() {
-            builder.push(&of_section(last, from, sub.points[last]))?;
+            builder.push_segment(&of_section(last, from, sub.points[last]))?;
         }
         results[last].place = Place { segment: builder.len() as u32 - 1, t: 1.0 };
     }
@@ -218,13 +222,13 @@ fn append_cubics(sub: &Subcurve<'_>, solution: &Solution, out: &mut Output<'_>) 
 /// [`measure`](super::residuals::measure).
 pub(super) fn write_closed_curve(
     sub: &Subcurve<'_>,
-    solution: &Solution,
+    solution: &CompositeSolution,
     map_point: impl Fn(DVec3) -> DVec3,
     out: &mut [DVec3],
     report: &mut Report,
 ) {
     let n = sub.len();
-    let start = solution.joint(sub, n - 1);
+    let start = solution.joint_point(sub, n - 1);
     let (first, rest) = out.split_at_mut(1);
     first[0] = map_point(start);
     let controls = &solution.controls[..n];
@@ -236,7 +240,7 @@ pub(super) fn write_closed_curve(
         let end = if i + 1 == n { start } else { control + (next - control) * beta };
         *segment = [map_point(control), map_point(end)];
         farthest = farthest.max(segment::point_at(&[joint, control, end], t).distance_squared(p));
-        angle.add(end - control, next - end);
+        angle.add_joint(end - control, next - end);
         joint = end;
     }
     report.max_residual = farthest.sqrt() / sub.size;

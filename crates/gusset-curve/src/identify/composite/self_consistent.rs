@@ -24,8 +24,8 @@ use super::rounds::{MAX_FALLBACK_ROUNDS, max_iterations_of_round};
 use crate::identify::identify_options::Options;
 use crate::identify::method::{Method, power};
 use crate::identify::report::{FitStatus, PointStatus};
-use crate::identify::solution::Solution;
-use crate::identify::subcurve::{Output, Subcurve};
+use crate::identify::solution::CompositeSolution;
+use crate::identify::subcurve::{Subcurve, SubcurveOutput};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -73,7 +73,7 @@ pub(super) struct SelfConsistentNewton<const D: usize> {
 }
 
 /// Returns true if points and control points lie in the plane z = 0.
-pub(super) fn is_planar(sub: &Subcurve<'_>, solution: &Solution) -> bool {
+pub(super) fn is_planar(sub: &Subcurve<'_>, solution: &CompositeSolution) -> bool {
     sub.points.iter().chain(&solution.controls[..sub.len()]).all(|p| p.z == 0.0)
 }
 
@@ -81,7 +81,12 @@ impl<const D: usize> SelfConsistentNewton<D> {
     /// Finds the self-consistent parameters and control points, starting from control points that
     /// solve the linear equations. Returns false if the equations become singular, which requires
     /// joint parameters other than 1/2.
-    pub(super) fn solve(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<bool> {
+    pub(super) fn solve(
+        &mut self,
+        sub: &Subcurve<'_>,
+        solution: &mut CompositeSolution,
+        out: &mut SubcurveOutput<'_>,
+    ) -> Result<bool> {
         let n = sub.len();
         let length = n + if sub.closed { 2 * MAX_REPEATED_ROWS_PER_END } else { 0 };
         let empty = NewtonRow { factors: [0.0; 3], gradients: [[0.0; D]; 3], derivative: [0.0; D], value: [0.0; D] };
@@ -96,21 +101,21 @@ impl<const D: usize> SelfConsistentNewton<D> {
             }
             // Points that still move fall back; in the last round all do.
             out.report.status = FitStatus::NotConverged;
-            for i in sub.sections() {
+            for i in sub.section_indices() {
                 let t = parameter_on_section(sub, solution, i);
                 if round == MAX_FALLBACK_ROUNDS - 1 || (t - solution.t[i]).abs() > sub.options.tolerance {
                     solution.fell_back[i] = true;
                     solution.t[i] = solution.data_t[i];
-                    out.results[i].flag(PointStatus::FellBack);
+                    out.results[i].flag_status(PointStatus::FellBack);
                 }
             }
             regular = equations::solve_control_points(sub, solution);
         }
-        let [low, high] = sub.parameter_range();
-        for i in sub.sections() {
+        let [low, high] = sub.section_parameter_range();
+        for i in sub.section_indices() {
             let free = low < solution.t[i] && solution.t[i] < high;
             if !free && !solution.fell_back[i] {
-                out.results[i].flag(PointStatus::ClampedParameter);
+                out.results[i].flag_status(PointStatus::ClampedParameter);
             }
         }
         Ok(regular)
@@ -121,8 +126,8 @@ impl<const D: usize> SelfConsistentNewton<D> {
     fn iterate_until_converged(
         &mut self,
         sub: &Subcurve<'_>,
-        solution: &mut Solution,
-        out: &mut Output<'_>,
+        solution: &mut CompositeSolution,
+        out: &mut SubcurveOutput<'_>,
         max_iterations: u32,
     ) -> Result<bool> {
         let (report, job) = (&mut *out.report, out.job);
@@ -146,11 +151,11 @@ impl<const D: usize> SelfConsistentNewton<D> {
             }
             (smallest, scale, halvings) = (sum, 1.0, 0);
             let farthest = self.add_step(sub, solution, 1.0);
-            report.end_cycle(farthest / sub.size)?;
+            report.record_cycle(farthest / sub.size)?;
             if farthest <= MAX_RELATIVE_LAST_STEP * sub.size {
                 solution.save_controls();
                 apply_fixed_point_map(sub, solution);
-                let moves = sub.sections().map(|i| solution.controls[i].distance_squared(solution.previous[i]));
+                let moves = sub.section_indices().map(|i| solution.controls[i].distance_squared(solution.previous[i]));
                 report.last_move = moves.fold(0.0, f64::max).sqrt() / sub.size;
                 if report.last_move * sub.size <= tolerance {
                     return Ok(true);
@@ -163,11 +168,11 @@ impl<const D: usize> SelfConsistentNewton<D> {
     }
 
     /// Evaluates all rows. Returns the sum of the squares of the F_i.
-    fn evaluate_rows(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, job: &Job<'_>) -> Result<f64> {
+    fn evaluate_rows(&mut self, sub: &Subcurve<'_>, solution: &mut CompositeSolution, job: &Job<'_>) -> Result<f64> {
         let mut sum = 0.0;
-        for i in sub.sections() {
+        for i in sub.section_indices() {
             job.step_every(POINTS_PER_REPORT, i, sub.len(), STAGE)?;
-            let [b, u, v] = solution.legs(sub, i);
+            let [b, u, v] = solution.control_and_joints_relative_to_point(sub, i);
             let (t, gradients) = match solution.fell_back[i] {
                 true => (solution.data_t[i], [DVec3::ZERO; 2]),
                 false => parameter_and_gradients(sub.options, u, v),
@@ -197,7 +202,7 @@ impl<const D: usize> SelfConsistentNewton<D> {
         // The rows in order; for a closed subcurve with its overlap.
         let (count, from) = match sub.closed {
             true => (n + 2 * repeated_rows, n * repeated_rows.div_ceil(n) - repeated_rows),
-            false => (sub.sections().len(), 1),
+            false => (sub.section_indices().len(), 1),
         };
         let mut at = from;
         let (mut above, mut right) = ([[0.0; D]; D], [0.0; D]);
@@ -250,9 +255,9 @@ impl<const D: usize> SelfConsistentNewton<D> {
     }
 
     /// Adds the step, times `scale`, to the control points. Returns the largest move.
-    fn add_step(&self, sub: &Subcurve<'_>, solution: &mut Solution, scale: f64) -> f64 {
+    fn add_step(&self, sub: &Subcurve<'_>, solution: &mut CompositeSolution, scale: f64) -> f64 {
         let mut farthest = 0.0f64;
-        for i in sub.sections() {
+        for i in sub.section_indices() {
             let mut step = [0.0; 3];
             step[..D].copy_from_slice(&self.step[i]);
             let step = DVec3::from_array(step) * scale;
@@ -264,19 +269,19 @@ impl<const D: usize> SelfConsistentNewton<D> {
 }
 
 /// Reads off the parameters and solves for the control points: the fixed-point map.
-fn apply_fixed_point_map(sub: &Subcurve<'_>, solution: &mut Solution) {
-    for i in sub.sections() {
+fn apply_fixed_point_map(sub: &Subcurve<'_>, solution: &mut CompositeSolution) {
+    for i in sub.section_indices() {
         solution.t[i] = parameter_on_section(sub, solution, i);
     }
     equations::solve_control_points(sub, solution);
 }
 
 /// Returns the parameter of point `i` on its current section.
-fn parameter_on_section(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> f64 {
+fn parameter_on_section(sub: &Subcurve<'_>, solution: &CompositeSolution, i: usize) -> f64 {
     if solution.fell_back[i] {
         return solution.data_t[i];
     }
-    let [_, u, v] = solution.legs(sub, i);
+    let [_, u, v] = solution.control_and_joints_relative_to_point(sub, i);
     parameter_and_gradients(sub.options, u, v).0
 }
 
@@ -290,7 +295,7 @@ fn parameter_on_section(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> f6
 #[inline(always)]
 pub(super) fn parameter_and_gradients(options: &Options, u: DVec3, v: DVec3) -> (f64, [DVec3; 2]) {
     let (low, high) = (options.parameter_limit, 1.0 - options.parameter_limit);
-    let (t, parts, alpha) = match options.method.alpha() {
+    let (t, parts, alpha) = match options.method.chord_exponent() {
         Some(alpha) => {
             let parts = [u.length_squared(), v.length_squared()];
             let [before, after] = parts.map(|part| power(part.sqrt(), alpha));

@@ -20,13 +20,13 @@
 use super::equations;
 use super::rounds::{MAX_FALLBACK_ROUNDS, max_iterations_of_round};
 use super::self_consistent;
-use crate::identify::guide::{guide, plane_normal};
+use crate::identify::guide::{guide_direction, subcurve_plane_normal};
 use crate::identify::identify_options::{Lock, Solver};
 use crate::identify::method::Method;
-use crate::identify::report::{Account, FitStatus, PointStatus};
-use crate::identify::solution::Solution;
+use crate::identify::report::{FitStatus, PointStatus, ReportInProgress};
+use crate::identify::solution::CompositeSolution;
 use crate::identify::stepping;
-use crate::identify::subcurve::{Output, PointResult, Subcurve};
+use crate::identify::subcurve::{PointResult, Subcurve, SubcurveOutput};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -47,17 +47,21 @@ const STAGE: &str = "placing control points";
 
 /// Solves by sweeps, starting from control points that solve the linear equations. Returns false if
 /// the equations become singular, which requires joint parameters other than 1/2.
-pub(super) fn solve_by_sweeps(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<bool> {
+pub(super) fn solve_by_sweeps(
+    sub: &Subcurve<'_>,
+    solution: &mut CompositeSolution,
+    out: &mut SubcurveOutput<'_>,
+) -> Result<bool> {
     start_sweeps(sub, solution, out.results)?;
     let lock = sub.options.lock;
     for round in 0..=MAX_FALLBACK_ROUNDS {
         let rests = sweep_until_converged(sub, solution, out, max_iterations_of_round(sub, out.report, round))?;
-        for i in sub.sections() {
+        for i in sub.section_indices() {
             let moves = solution.controls[i].distance(solution.previous[i]) > sub.options.tolerance * sub.size;
             let fails = !rests && (moves || round + 1 >= MAX_FALLBACK_ROUNDS) && lock != Lock::Parameter;
             if fails && !solution.fell_back[i] {
                 solution.fell_back[i] = true;
-                out.results[i].flag(PointStatus::FellBack);
+                out.results[i].flag_status(PointStatus::FellBack);
                 out.report.status = FitStatus::NotConverged;
             }
             if solution.fell_back[i] {
@@ -70,12 +74,14 @@ pub(super) fn solve_by_sweeps(sub: &Subcurve<'_>, solution: &mut Solution, out: 
     }
     // With the current parameters, the curve passes the points exactly.
     let regular = equations::solve_control_points(sub, solution);
-    let [low, high] = sub.parameter_range();
-    for i in sub.sections() {
+    let [low, high] = sub.section_parameter_range();
+    for i in sub.section_indices() {
         match lock {
-            _ if solution.fell_back[i] || solution.missed_guide[i] => out.results[i].flag(PointStatus::NoCrossing),
+            _ if solution.fell_back[i] || solution.missed_guide[i] => {
+                out.results[i].flag_status(PointStatus::NoCrossing)
+            }
             Lock::SelfConsistent if !(low < solution.t[i] && solution.t[i] < high) => {
-                out.results[i].flag(PointStatus::ClampedParameter);
+                out.results[i].flag_status(PointStatus::ClampedParameter);
             }
             _ => {}
         }
@@ -84,10 +90,10 @@ pub(super) fn solve_by_sweeps(sub: &Subcurve<'_>, solution: &mut Solution, out: 
 }
 
 /// Moves the control points to the start of the sweeps.
-fn start_sweeps(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult]) -> Result<()> {
+fn start_sweeps(sub: &Subcurve<'_>, solution: &mut CompositeSolution, results: &mut [PointResult]) -> Result<()> {
     if sub.options.lock == Lock::DataGuide {
         find_guides(sub, solution, results)?;
-        for i in sub.sections() {
+        for i in sub.section_indices() {
             if !solution.fell_back[i] {
                 // The nearest place on the guide.
                 let (p, guide) = (sub.points[i], solution.guides[i]);
@@ -96,7 +102,7 @@ fn start_sweeps(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [Poin
         }
     } else if sub.options.solver == Solver::Step {
         // The paper starts at the points.
-        for i in sub.sections() {
+        for i in sub.section_indices() {
             solution.controls[i] = sub.points[i];
         }
     }
@@ -108,8 +114,8 @@ fn start_sweeps(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [Poin
 /// sweep.
 fn sweep_until_converged(
     sub: &Subcurve<'_>,
-    solution: &mut Solution,
-    out: &mut Output<'_>,
+    solution: &mut CompositeSolution,
+    out: &mut SubcurveOutput<'_>,
     max_sweeps: u32,
 ) -> Result<bool> {
     let (report, n) = (&mut *out.report, sub.len());
@@ -120,7 +126,7 @@ fn sweep_until_converged(
         report.iterations += 1;
         solution.save_controls();
         let (mut farthest, mut all_placed) = (0.0f64, true);
-        for i in sub.sections() {
+        for i in sub.section_indices() {
             // Counts over all sweeps, because few points may take many sweeps.
             if placed.is_multiple_of(POINTS_PER_REPORT) {
                 out.job.step(i as f64 / n as f64, STAGE)?;
@@ -131,7 +137,7 @@ fn sweep_until_converged(
             farthest = farthest.max(solution.controls[i].distance_squared(before));
         }
         let farthest = farthest.sqrt();
-        report.end_cycle(farthest / sub.size)?;
+        report.record_cycle(farthest / sub.size)?;
         let ratio = farthest / last;
         last = farthest;
         let rests = farthest <= rounding || farthest * ratio <= tolerance * (1.0 - ratio);
@@ -145,12 +151,12 @@ fn sweep_until_converged(
 /// Places one control point. Returns false if the steps are used up.
 fn place_control_point(
     sub: &Subcurve<'_>,
-    solution: &mut Solution,
+    solution: &mut CompositeSolution,
     (sweep, i): (u32, usize),
-    report: &mut Account,
+    report: &mut ReportInProgress,
     job: &Job<'_>,
 ) -> Result<bool> {
-    let [b, u, v] = solution.legs(sub, i);
+    let [b, u, v] = solution.control_and_joints_relative_to_point(sub, i);
     let mut guide = None;
     let t = match sub.options.lock {
         _ if solution.fell_back[i] => solution.data_t[i],
@@ -181,7 +187,7 @@ fn place_control_point(
         Solver::Step => {
             let direction = guide.unwrap_or_else(|| left.normalize_or_zero());
             let deviation = |x: f64| direction.dot(left) - slope * x;
-            match stepping::step(sub.options, sub.size, deviation, &mut report.steps, job)? {
+            match stepping::step_to_zero_deviation(sub.options, sub.size, deviation, &mut report.steps, job)? {
                 Some(along) => start + direction * along,
                 None => return Ok(false),
             }
@@ -195,7 +201,7 @@ fn place_control_point(
 
 /// Returns the parameter at which the section crosses the guide of its point; `None` if it does
 /// not.
-fn guide_crossing_parameter(sub: &Subcurve<'_>, solution: &Solution, i: usize) -> Option<f64> {
+fn guide_crossing_parameter(sub: &Subcurve<'_>, solution: &CompositeSolution, i: usize) -> Option<f64> {
     let guide = solution.guides[i];
     let (before, after) = (sub.previous(i), sub.next(i));
     let p = sub.points[i];
@@ -213,23 +219,23 @@ fn guide_crossing_parameter(sub: &Subcurve<'_>, solution: &Solution, i: usize) -
 
 /// Finds the guides of the data's own triangles. Points without a guide, and all points of a
 /// subcurve that is not plane, fall back.
-fn find_guides(sub: &Subcurve<'_>, solution: &mut Solution, results: &mut [PointResult]) -> Result<()> {
+fn find_guides(sub: &Subcurve<'_>, solution: &mut CompositeSolution, results: &mut [PointResult]) -> Result<()> {
     alloc::reset(&mut solution.guides, sub.len(), DVec3::ZERO)?;
-    let normal = plane_normal(sub);
-    for i in sub.sections() {
-        let [a, p, c] = sub.triple(i);
+    let normal = subcurve_plane_normal(sub);
+    for i in sub.section_indices() {
+        let [a, p, c] = sub.point_and_neighbours(i);
         let found = normal.ok_or(PointStatus::OutOfPlane).and_then(|normal| {
-            guide(sub.options.method, a - p, c - p, normal).or_else(|status| {
+            guide_direction(sub.options.method, a - p, c - p, normal).or_else(|status| {
                 // The normal misses the chord, so use the bisector.
-                results[i].flag(status);
-                guide(Method::Bisector, a - p, c - p, normal)
+                results[i].flag_status(status);
+                guide_direction(Method::Bisector, a - p, c - p, normal)
             })
         });
         match found {
             Ok(guide) => solution.guides[i] = guide,
             Err(status) => {
                 solution.fell_back[i] = true;
-                results[i].flag(status);
+                results[i].flag_status(status);
             }
         }
     }

@@ -32,11 +32,11 @@ mod system;
 use super::equations;
 use super::knot_joints::solve_with_fallback;
 use super::lock::LockWorkspace;
-use crate::identify::guide::plane_normal;
+use crate::identify::guide::subcurve_plane_normal;
 use crate::identify::identify_options::Lock;
 use crate::identify::report::{FitStatus, PointStatus};
-use crate::identify::solution::Solution;
-use crate::identify::subcurve::{Output, Subcurve};
+use crate::identify::solution::CompositeSolution;
+use crate::identify::subcurve::{Subcurve, SubcurveOutput};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -100,7 +100,7 @@ pub(super) fn solve_with_continuous_curvature(
     sub: &Subcurve<'_>,
     workspace: &mut LockWorkspace,
     joints: &mut CurvatureJoints,
-    out: &mut Output<'_>,
+    out: &mut SubcurveOutput<'_>,
 ) -> Result<()> {
     workspace.solution.reset_joints(sub.len())?;
     let locked = solve_with_fallback(sub, workspace, out)?;
@@ -132,7 +132,12 @@ fn inner_joints(sub: &Subcurve<'_>) -> Range<usize> {
 impl CurvatureJoints {
     /// Starts from the curve with quadratic sections, which passes its points. `locked` tells
     /// whether a lock other than the lock by parameter holds.
-    fn start_from_quadratics(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, locked: bool) -> Result<()> {
+    fn start_from_quadratics(
+        &mut self,
+        sub: &Subcurve<'_>,
+        solution: &mut CompositeSolution,
+        locked: bool,
+    ) -> Result<()> {
         let n = sub.len();
         alloc::reset(&mut solution.handles, n, QUADRATIC_HANDLES)?;
         alloc::reset(&mut self.nodes, n, PointUnknowns::default())?;
@@ -142,9 +147,9 @@ impl CurvatureJoints {
         }
         self.newton.reset_for_points(n)?;
         let by_parameter = !locked || sub.options.lock == Lock::Parameter;
-        let plane = if by_parameter { None } else { plane_normal(sub) };
+        let plane = if by_parameter { None } else { subcurve_plane_normal(sub) };
         let known = (0..n).map(|i| {
-            let inner = sub.sections().contains(&i);
+            let inner = sub.section_indices().contains(&i);
             let fallen = by_parameter || !inner || solution.fell_back[i] || solution.missed_guide[i];
             let lock_equation = match (sub.options.lock, plane) {
                 _ if fallen => LockEquation::GivenParameter,
@@ -152,7 +157,7 @@ impl CurvatureJoints {
                 (Lock::DataGuide, Some(normal)) => LockEquation::OnGuide(normal.cross(solution.guides[i])),
                 _ => LockEquation::GivenParameter,
             };
-            let [a, p, c] = sub.triple(i);
+            let [a, p, c] = sub.point_and_neighbours(i);
             let spacing = if inner { 0.5 * (a.distance(p) + p.distance(c)) } else { sub.size };
             GivenQuantities {
                 lock_equation,
@@ -166,7 +171,7 @@ impl CurvatureJoints {
         self.known.clear();
         alloc::extend(&mut self.known, known)?;
         for (i, node) in self.nodes.iter_mut().enumerate() {
-            let beta = Solution::joint_parameter(sub, &solution.beta, i);
+            let beta = CompositeSolution::joint_parameter(sub, &solution.beta, i);
             *node = PointUnknowns { control: solution.controls[i], t: solution.t[i], beta, handles: QUADRATIC_HANDLES };
         }
         Ok(())
@@ -174,7 +179,7 @@ impl CurvatureJoints {
 
     /// Sets the curvature to 0 at all joints followed by an inflection or a straight part of the
     /// polygon.
-    fn find_inflections(&mut self, sub: &Subcurve<'_>, solution: &mut Solution) {
+    fn find_inflections(&mut self, sub: &Subcurve<'_>, solution: &mut CompositeSolution) {
         for _ in 0..MAX_INFLECTION_ROUNDS {
             self.find_turn_normals(sub);
             if !self.flatten_inflections(sub) {
@@ -218,7 +223,7 @@ impl CurvatureJoints {
 
     /// Sets the curvature at all joints to 0, with middle joints and the parameters of the data.
     /// The equations of the control points are then diagonally dominant.
-    fn set_all_curvatures_to_zero(&mut self, sub: &Subcurve<'_>, solution: &mut Solution) {
+    fn set_all_curvatures_to_zero(&mut self, sub: &Subcurve<'_>, solution: &mut CompositeSolution) {
         for i in 0..self.nodes.len() {
             self.nodes[i].t = solution.data_t[i];
             self.known[i].lock_equation = LockEquation::GivenParameter;
@@ -256,7 +261,7 @@ impl CurvatureJoints {
 
     /// Solves for the control points again, so that the curve passes the points. Returns false if
     /// the equations are singular.
-    fn solve_control_points_again(&mut self, sub: &Subcurve<'_>, solution: &mut Solution) -> bool {
+    fn solve_control_points_again(&mut self, sub: &Subcurve<'_>, solution: &mut CompositeSolution) -> bool {
         for (i, node) in self.nodes.iter().enumerate() {
             (solution.t[i], solution.beta[i], solution.handles[i]) = (node.t, node.beta, node.handles);
         }
@@ -266,9 +271,10 @@ impl CurvatureJoints {
     }
 
     /// Returns true if the curve passes its points.
-    fn passes_all_points(&self, sub: &Subcurve<'_>, solution: &Solution) -> bool {
-        sub.sections().all(|i| {
-            let corners = [solution.joint(sub, sub.previous(i)), solution.controls[i], solution.joint(sub, i)];
+    fn passes_all_points(&self, sub: &Subcurve<'_>, solution: &CompositeSolution) -> bool {
+        sub.section_indices().all(|i| {
+            let corners =
+                [solution.joint_point(sub, sub.previous(i)), solution.controls[i], solution.joint_point(sub, i)];
             let shares = equations::cubic_section_weights(solution.t[i], solution.handles[i]);
             let at: DVec3 = corners.iter().zip(shares).map(|(&corner, share)| (corner - sub.points[i]) * share).sum();
             at.length() <= MAX_POINT_MISS_DISTANCE * sub.size
@@ -279,8 +285,8 @@ impl CurvatureJoints {
     fn iterate_until_converged(
         &mut self,
         sub: &Subcurve<'_>,
-        solution: &mut Solution,
-        out: &mut Output<'_>,
+        solution: &mut CompositeSolution,
+        out: &mut SubcurveOutput<'_>,
     ) -> Result<()> {
         let mut in_round = 0;
         while !self.evaluate_equations(sub, out.job)? {
@@ -294,7 +300,7 @@ impl CurvatureJoints {
             in_round += 1;
             out.report.iterations += 1;
             let moved = self.newton.take_damped_step(sub, &self.known, &mut self.nodes, out.job)?;
-            out.report.end_cycle(moved / sub.size)?;
+            out.report.record_cycle(moved / sub.size)?;
         }
         Ok(())
     }
@@ -334,7 +340,12 @@ impl CurvatureJoints {
     }
 
     /// Gives up the worst equations of each neighbourhood in trouble.
-    fn give_up_worst_equations(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) {
+    fn give_up_worst_equations(
+        &mut self,
+        sub: &Subcurve<'_>,
+        solution: &mut CompositeSolution,
+        out: &mut SubcurveOutput<'_>,
+    ) {
         let n = self.nodes.len();
         for i in 0..n {
             let worst = |k: usize| self.residuals_in_tolerances(sub, k).into_iter().fold(0.0, f64::max);
@@ -350,7 +361,7 @@ impl CurvatureJoints {
             if self.known[i].lock_equation != LockEquation::GivenParameter && lock >= gap {
                 self.known[i].lock_equation = LockEquation::GivenParameter;
                 self.nodes[i].t = solution.data_t[i];
-                out.results[i].flag(PointStatus::FellBack);
+                out.results[i].flag_status(PointStatus::FellBack);
                 continue;
             }
             for joint in [sub.previous(i), i] {
@@ -364,13 +375,13 @@ impl CurvatureJoints {
     }
 
     /// Sets the statuses of the points next to joints that differ from the requested ones.
-    fn set_point_statuses(&self, sub: &Subcurve<'_>, out: &mut Output<'_>) {
+    fn set_point_statuses(&self, sub: &Subcurve<'_>, out: &mut SubcurveOutput<'_>) {
         for i in 0..self.nodes.len() {
             let next = sub.next(i);
             let [_, lock, gap] = self.residuals_in_tolerances(sub, i);
             if lock > MAX_RESIDUAL_IN_TOLERANCES || gap > MAX_RESIDUAL_IN_TOLERANCES {
                 out.report.status = FitStatus::NotConverged;
-                out.results[i].flag(PointStatus::NotConverged);
+                out.results[i].flag_status(PointStatus::NotConverged);
             }
             let bent =
                 self.known[i].curved && self.known[i].normal.cross(self.known[next].normal).length() > MAX_PLANE_SINE;
@@ -383,7 +394,7 @@ impl CurvatureJoints {
             } else {
                 continue;
             };
-            [i, next].iter().for_each(|&k| out.results[k].flag(status));
+            [i, next].iter().for_each(|&k| out.results[k].flag_status(status));
         }
     }
 }

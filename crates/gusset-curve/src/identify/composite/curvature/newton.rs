@@ -141,7 +141,7 @@ impl LeastNormNewton {
 
     /// Moves the unknowns by the fractions of their steps.
     fn apply_fractional_steps(&self, sub: &Subcurve<'_>, nodes: &mut [PointUnknowns]) {
-        let [low, high] = sub.parameter_range();
+        let [low, high] = sub.section_parameter_range();
         let [low, high] = [low.min(MIN_SECTION_PARAMETER), high.max(1.0 - MIN_SECTION_PARAMETER)];
         for ((node, step), part) in nodes.iter_mut().zip(&self.steps).zip(&self.parts) {
             let by = step.map(|x| x * part);

@@ -96,7 +96,7 @@ pub(super) fn evaluate_equations(
     i: usize,
 ) -> [f64; EQUATIONS_PER_POINT] {
     let mut values = [0.0; EQUATIONS_PER_POINT];
-    if sub.sections().contains(&i) {
+    if sub.section_indices().contains(&i) {
         let section = RelativeSection::new(sub, nodes, i);
         let miss = section.offset_from_point(&nodes[i]) / known[i].spacing;
         values[..3].copy_from_slice(&miss.to_array());
@@ -181,7 +181,7 @@ pub(super) fn differentiate_equations(
     i: usize,
 ) -> EquationDerivatives {
     let mut rows = EquationDerivatives::default();
-    if sub.sections().contains(&i) {
+    if sub.section_indices().contains(&i) {
         differentiate_section_equations(sub, &known[i], nodes, i, &mut rows);
     }
     if known[i].curved {
