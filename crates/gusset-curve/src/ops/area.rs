@@ -36,7 +36,11 @@ pub struct Moments {
 
 /// Returns the components of the control points relative to `start`, in the frame, and of the
 /// derivative.
-fn components(frame: &UnitFrame, start: DVec3, controls: &[DVec3]) -> [[[f64; MAX_DEGREE + 1]; 3]; 2] {
+fn control_and_derivative_components(
+    frame: &UnitFrame,
+    start: DVec3,
+    controls: &[DVec3],
+) -> [[[f64; MAX_DEGREE + 1]; 3]; 2] {
     let r = SegmentBuffer::from_mapped(controls, |p| frame.point_to_frame(p) - start);
     let mut d = r;
     d.differentiate();
@@ -66,7 +70,7 @@ impl CurveView<'_> {
         for (k, controls) in self.segments().enumerate() {
             job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "area of a curve")?;
             let n = controls.len() - 1;
-            let [r, d] = components(&frame, frame.point_to_frame(start), controls);
+            let [r, d] = control_and_derivative_components(&frame, frame.point_to_frame(start), controls);
             let swept = |a: usize, b: usize| {
                 integral_of_product(&r[a][..=n], &d[b][..n]) - integral_of_product(&r[b][..=n], &d[a][..n])
             };
@@ -91,7 +95,7 @@ impl CurveView<'_> {
         for (k, controls) in self.segments().enumerate() {
             job.step_every(SEGMENTS_PER_REPORT, k, self.len(), "moments of a curve")?;
             let n = controls.len() - 1;
-            let [r, d] = components(&frame, start, controls);
+            let [r, d] = control_and_derivative_components(&frame, start, controls);
             let (x, y) = (&r[0][..=n], &r[1][..=n]);
             let mut swept = [0.0; 2 * MAX_DEGREE];
             let swept = &mut swept[..2 * n];
