@@ -117,7 +117,7 @@ pub(super) struct SubcurveOutput<'a> {
 }
 
 impl SubcurveOutput<'_> {
-    /// Sets the status of all points that lack one; see [`PointResult::flag`].
+    /// Sets the status of all points that lack one; see [`PointResult::flag_status`].
     pub(super) fn flag_all_points(&mut self, status: PointStatus) {
         self.results.iter_mut().for_each(|result| result.flag_status(status));
     }

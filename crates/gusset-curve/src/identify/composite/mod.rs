@@ -217,9 +217,9 @@ fn append_cubics(sub: &Subcurve<'_>, solution: &CompositeSolution, out: &mut Sub
     Ok(())
 }
 
-/// Writes the control points of a closed subcurve, each p as `place(p)`: two for each point and one
+/// Writes the control points of a closed subcurve, each p as `map_point(p)`: two for each point and one
 /// more. Section i is segment i. Measures the curve at the same time; see
-/// [`measure`](super::residuals::measure).
+/// [`measure_residuals`](super::residuals::measure_residuals).
 pub(super) fn write_closed_curve(
     sub: &Subcurve<'_>,
     solution: &CompositeSolution,
