@@ -53,7 +53,7 @@ impl<'a> Surface<'a> {
         for (k, sheet) in sheets.into_iter().enumerate() {
             let part = job.share(k, count);
             let index = each_sheet!(&sheet, cells => Pyramid::build(cells, &part))?;
-            check_range(k, index.bounds())?;
+            check_single_precision_range(k, index.bounds())?;
             bounds = bounds.union(index.bounds());
             indexed.push((sheet, index));
         }
@@ -81,7 +81,7 @@ impl<'a> Surface<'a> {
     }
 
     /// Sheet k and its index.
-    pub(crate) fn indexed(&self, k: usize) -> (&Sheet<'a>, &Pyramid) {
+    pub(crate) fn sheet_and_index(&self, k: usize) -> (&Sheet<'a>, &Pyramid) {
         let (sheet, index) = &self.sheets[k];
         (sheet, index)
     }
@@ -110,19 +110,19 @@ impl<'a> Surface<'a> {
 
     /// The unit normal at a place whose derivatives are known.
     #[inline]
-    pub(crate) fn normal_by(&self, place: Place, jet: &Jet) -> DVec3 {
-        jet.regular_normal(self.slope_noise()).unwrap_or_else(|| self.normal(place))
+    pub(crate) fn normal_from_jet(&self, place: Place, jet: &Jet) -> DVec3 {
+        jet.unit_normal_if_regular(self.max_derivative_rounding()).unwrap_or_else(|| self.normal(place))
     }
 
     /// True if the tangents at a place define a normal in spite of rounding.
-    pub(crate) fn is_regular(&self, place: Place) -> bool {
-        self.jet(place).regular_normal(self.slope_noise()).is_some()
+    pub(crate) fn is_regular_at(&self, place: Place) -> bool {
+        self.jet(place).unit_normal_if_regular(self.max_derivative_rounding()).is_some()
     }
 
     /// Upper bound of the error of a patch's derivatives that rounding of its control points
     /// causes.
     #[inline]
-    fn slope_noise(&self) -> f64 {
+    fn max_derivative_rounding(&self) -> f64 {
         1024.0 * f64::EPSILON * self.max_coordinate()
     }
 
@@ -133,7 +133,7 @@ impl<'a> Surface<'a> {
     }
 
     /// The diagonal of the box.
-    pub(crate) fn diagonal(&self) -> f64 {
+    pub(crate) fn box_diagonal(&self) -> f64 {
         self.bounds.diagonal()
     }
 
@@ -153,11 +153,11 @@ impl<'a> Surface<'a> {
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn build_cones(&self, job: &Job<'_>) -> Result<()> {
-        (0..self.len()).try_for_each(|k| self.cones(k, &job.share(k, self.len())).map(|_| ()))
+        (0..self.len()).try_for_each(|k| self.cones_of_sheet(k, &job.share(k, self.len())).map(|_| ()))
     }
 
     /// The cones of sheet k. Builds them if necessary.
-    pub(crate) fn cones(&self, k: usize, job: &Job<'_>) -> Result<&Cones> {
+    pub(crate) fn cones_of_sheet(&self, k: usize, job: &Job<'_>) -> Result<&Cones> {
         let (sheet, index) = &self.sheets[k];
         each_sheet!(sheet, cells => index.cones(cells, job))
     }
@@ -194,7 +194,7 @@ impl Surface<'_> {
 }
 
 /// Returns [`Error::SheetOutOfRange`] if single precision cannot hold the sheet's bounding box.
-fn check_range(sheet: usize, bounds: Aabb) -> Result<()> {
+fn check_single_precision_range(sheet: usize, bounds: Aabb) -> Result<()> {
     // Overflows produce NaN, which is out of range too.
     let largest = [bounds.low, bounds.high]
         .iter()

@@ -5,7 +5,7 @@
 //! through the five nearest lines. This is the grid's six-tap scheme, generalised to uneven
 //! spacing.
 
-use crate::axis::TAPS;
+use crate::axis::NODES_PER_CUBIC;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::geom::aabb::range;
@@ -18,8 +18,8 @@ const MAX_LENGTH_RATIO: f64 = 8.0;
 /// The functions between two lines: the Bézier points of the functions that do not vanish there.
 pub(super) struct CardinalPiece {
     /// The lines that the functions belong to. Lines of weight 0 may repeat other lines.
-    pub(super) lines: [usize; TAPS],
-    points: [[f64; 4]; TAPS],
+    pub(super) lines: [usize; NODES_PER_CUBIC],
+    points: [[f64; 4]; NODES_PER_CUBIC],
 }
 
 /// The cardinal functions between successive lines. `lengths` are the lengths of the intervals,
@@ -32,8 +32,8 @@ pub(super) fn blend(lengths: &[f64], closed: bool) -> Result<Vec<CardinalPiece>>
 impl CardinalPiece {
     /// Restricts the functions to a part of the interval. For each Bernstein coefficient of degree
     /// N - 1, returns the weights of the lines.
-    pub(super) fn bernstein_weights<const N: usize>(&self, [from, to]: [f64; 2]) -> [[f64; TAPS]; N] {
-        let mut weights = [[0.0; TAPS]; N];
+    pub(super) fn bernstein_weights<const N: usize>(&self, [from, to]: [f64; 2]) -> [[f64; NODES_PER_CUBIC]; N] {
+        let mut weights = [[0.0; NODES_PER_CUBIC]; N];
         for (k, points) in self.points.iter().enumerate() {
             let ends = [[from, from, from], [from, from, to], [from, to, to], [to, to, to]];
             let mut c = [0.0; N];
@@ -100,9 +100,9 @@ impl Row<'_> {
     fn piece(&self, interval: usize) -> CardinalPiece {
         let lines = self.lines();
         let before = interval as isize - 2;
-        let first = if self.closed { before } else { before.clamp(0, lines.saturating_sub(TAPS) as isize) };
+        let first = if self.closed { before } else { before.clamp(0, lines.saturating_sub(NODES_PER_CUBIC) as isize) };
         let length = self.lengths[interval];
-        let mut points = [[0.0; 4]; TAPS];
+        let mut points = [[0.0; 4]; NODES_PER_CUBIC];
         for (end, line) in [interval, interval + 1].into_iter().enumerate() {
             let own = (line as isize - first) as usize;
             let (inner, inwards) = if end == 0 { (1, length / 3.0) } else { (2, -length / 3.0) };

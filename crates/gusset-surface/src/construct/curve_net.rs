@@ -12,7 +12,7 @@
 use super::blend::blend;
 use super::nearest_points::{Boxes, nearest};
 use super::net_curve::{CurvePiece, CurvePlace, NetCurve, degree};
-use crate::axis::TAPS;
+use crate::axis::NODES_PER_CUBIC;
 use crate::{MAX_NODES, Patch, Patches, Sheet};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -449,6 +449,6 @@ fn transpose_patches<const N: usize>(patches: &Patches<N>, job: &Job<'_>) -> Res
 }
 
 /// The weighted sum of points.
-fn weighted_sum(weights: &[f64; TAPS], points: &[DVec3; TAPS]) -> DVec3 {
-    (1..TAPS).fold(weights[0] * points[0], |sum, k| sum + weights[k] * points[k])
+fn weighted_sum(weights: &[f64; NODES_PER_CUBIC], points: &[DVec3; NODES_PER_CUBIC]) -> DVec3 {
+    (1..NODES_PER_CUBIC).fold(weights[0] * points[0], |sum, k| sum + weights[k] * points[k])
 }

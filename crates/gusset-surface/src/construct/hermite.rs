@@ -1,7 +1,7 @@
 //! Surfaces through nodes with given tangents.
 
-use crate::axis::Axis;
-use crate::checks::finite_points;
+use crate::axis::GridAxis;
+use crate::checks::first_finite_points;
 use crate::{Nodes, Patch, Patches, Scheme, Sheet};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -72,21 +72,21 @@ struct Hermite<'a> {
     given: &'a Tangents<'a>,
     rows: usize,
     columns: usize,
-    axes: [Axis; 2],
+    axes: [GridAxis; 2],
 }
 
 impl<'a> Hermite<'a> {
     fn new(given: &'a Tangents<'a>) -> Result<Self> {
         let (nodes, closed) = (given.nodes, given.closed);
         let (rows, columns) = (nodes.rows(), nodes.columns());
-        let axes = Axis::new_pair([rows, columns], closed, Scheme::SixTap)?;
+        let axes = GridAxis::new_pair([rows, columns], closed, Scheme::SixTap)?;
         nodes.check_finite()?;
         let arrays = [("tangents", given.u), ("tangents", given.v)];
         let twists = if let Twists::Given(twists) = given.twists { Some(("twists", twists)) } else { None };
         for (what, vectors) in arrays.into_iter().chain(twists) {
-            finite_points(vectors, (rows * columns) as u64, what)?;
+            first_finite_points(vectors, (rows * columns) as u64, what)?;
         }
-        nodes.check_closed(closed)?;
+        nodes.check_closed_directions(closed)?;
         Ok(Hermite { given, rows, columns, axes })
     }
 
@@ -105,7 +105,8 @@ impl<'a> Hermite<'a> {
             Twists::Zero => DVec3::ZERO,
             Twists::Given(twists) => twists[self.node(i, j)],
             Twists::Differences => {
-                let ((rows, of_rows), (columns, of_columns)) = (self.axes[0].slope(i), self.axes[1].slope(j));
+                let ((rows, of_rows), (columns, of_columns)) =
+                    (self.axes[0].slope_nodes_and_weights(i), self.axes[1].slope_nodes_and_weights(j));
                 let across = |k: usize| of_rows[k] * self.given.v[self.node(rows[k], j)];
                 let along = |k: usize| of_columns[k] * self.given.u[self.node(i, columns[k])];
                 0.5 * (0..rows.len()).map(|k| across(k) + along(k)).sum::<DVec3>()
@@ -129,7 +130,7 @@ impl<'a> Hermite<'a> {
 
     /// The lines before and after a line, and the number of intervals between them.
     fn adjacent_lines(&self, direction: usize, line: usize) -> [usize; 3] {
-        let last = self.axes[direction].cells();
+        let last = self.axes[direction].interval_count();
         if self.given.closed[direction] {
             return [(line + last - 1) % last, (line + 1) % last, 2];
         }

@@ -83,7 +83,7 @@ pub(super) fn nearest<const N: usize>(
     let mut search =
         NearestPointsSearch { net_curves, boxes, slack, best, frontier: Frontier::default(), added: 0, splits: 0 };
     search.push_task(0.0, CurveTask::Boxes(boxes.map(|boxes| (boxes.levels.len() - 1, 0))))?;
-    search.run()?;
+    search.search_best_first()?;
     Ok(search.best)
 }
 
@@ -100,20 +100,20 @@ struct NearestPointsSearch<'a, const N: usize> {
 }
 
 impl<const N: usize> BranchAndBound for NearestPointsSearch<'_, N> {
-    type Task = CurveTask<N>;
-    type Key = usize;
-    type Stop = Error;
+    type SearchTask = CurveTask<N>;
+    type TieBreakKey = usize;
+    type StopReason = Error;
 
     fn frontier(&mut self) -> &mut Frontier<CurveTask<N>, usize> {
         &mut self.frontier
     }
 
-    fn is_wanted(&mut self, gap: f64) -> bool {
+    fn is_bound_wanted(&mut self, gap: f64) -> bool {
         let is_settled = gap >= self.best.distance - self.slack;
         !is_settled
     }
 
-    fn branch(&mut self, gap: f64, task: CurveTask<N>) -> Result<()> {
+    fn branch_task(&mut self, gap: f64, task: CurveTask<N>) -> Result<()> {
         match task {
             CurveTask::Boxes([a, b]) if a.0 == 0 && b.0 == 0 => {
                 let of = [a.1, b.1];

@@ -2,8 +2,8 @@
 
 use super::rational;
 use super::spline::{Spline, SplineInterval, SplineOptions, border_knots};
-use crate::checks::finite_points;
-use crate::patches::Origin;
+use crate::checks::first_finite_points;
+use crate::patches::SplineOrigin;
 use crate::{MAX_DEGREE, MAX_NODES, Patch, Patches, Sheet};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -37,7 +37,7 @@ impl Sheet<'static> {
         }
         let count = (rows as u64).saturating_mul(columns as u64);
         Error::check_count("control points", count, MAX_NODES)?;
-        finite_points(spline.points, count, "control points")?;
+        first_finite_points(spline.points, count, "control points")?;
         let intervals = [spline.axes[0].intervals(rows, 0)?, spline.axes[1].intervals(columns, 1)?];
         if rational::has_different_weights(spline)? {
             return Ok(Sheet::High(rational::patches(spline, intervals, options, job)?));
@@ -65,9 +65,9 @@ fn exact_patches<const N: usize>(
             let net = spline.net(spline.points, rows, columns);
             let mut packed = [DVec3::ZERO; (MAX_DEGREE + 1) * (MAX_DEGREE + 1)];
             packed.chunks_exact_mut(q + 1).zip(&net).for_each(|(to, from)| to.copy_from_slice(&from[..=q]));
-            patches.push(Patch::elevated(&packed[..(p + 1) * (q + 1)], [p, q]));
+            patches.push(Patch::from_lower_degrees(&packed[..(p + 1) * (q + 1)], [p, q]));
         }
     }
     Ok(Patches::from_patches(patches, u.len(), v.len())
-        .with_origin(Origin { deviation: 0.0, knots: border_knots(intervals)? }))
+        .with_spline_origin(SplineOrigin { deviation: 0.0, knots: border_knots(intervals)? }))
 }

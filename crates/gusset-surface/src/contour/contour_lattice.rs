@@ -1,7 +1,7 @@
 //! Indices of the cells of a sheet and of their sides, also across closed directions.
 
 use crate::Sheet;
-use crate::cells::{BLOCK, block_range};
+use crate::cells::{CELLS_PER_BLOCK_SIDE, cell_range_of_block};
 use std::ops::Range;
 
 /// The cells of a sheet in rows and columns.
@@ -16,17 +16,17 @@ pub(super) struct ContourLattice {
 impl ContourLattice {
     /// Returns the lattice of a sheet.
     pub(super) fn new(sheet: &Sheet<'_>) -> Self {
-        ContourLattice { counts: sheet.cells(), closed: sheet.seams() }
+        ContourLattice { counts: sheet.cells(), closed: sheet.has_exact_seams() }
     }
 
     /// The numbers of blocks in u and in v.
     pub(super) fn blocks(&self) -> [usize; 2] {
-        self.counts.map(|count| count.div_ceil(BLOCK))
+        self.counts.map(|count| count.div_ceil(CELLS_PER_BLOCK_SIDE))
     }
 
     /// The ranges of rows and columns of a block.
     pub(super) fn block(&self, [row, column]: [u32; 2]) -> [Range<usize>; 2] {
-        [block_range(row as usize, self.counts[0]), block_range(column as usize, self.counts[1])]
+        [cell_range_of_block(row as usize, self.counts[0]), cell_range_of_block(column as usize, self.counts[1])]
     }
 
     /// The index of a side of a cell. Both cells at the side agree on it.

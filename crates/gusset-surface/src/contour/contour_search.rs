@@ -12,7 +12,7 @@ use super::side::{crossings, positive};
 use super::side_roots::roots;
 use super::source::{CellBase, Continuity, ContourSource, CornerTest};
 use crate::Patch;
-use crate::cells::Cells;
+use crate::cells::SheetCells;
 use crate::subdivision::Field;
 use glam::{DVec2, DVec3};
 use gusset_base::error::Result;
@@ -120,7 +120,7 @@ struct CellLevel<'a, const M: usize> {
     corners: [bool; 4],
 }
 
-impl<C: Cells<N>, S: ContourSource<M>, const N: usize, const M: usize> ContourSearch<'_, C, S, N, M> {
+impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> ContourSearch<'_, C, S, N, M> {
     /// Finds the arcs in the blocks `block(k)` for k < `count`, given as (row, column).
     pub(super) fn run(
         &self,
@@ -247,7 +247,7 @@ impl<C: Cells<N>, S: ContourSource<M>, const N: usize, const M: usize> ContourSe
 
     #[inline]
     fn corners(&self, [i, j]: [usize; 2]) -> [DVec3; 4] {
-        [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.cells.corner(i, j))
+        [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.cells.corner_point(i, j))
     }
 
     /// Adds the arc from one side of a simple cell to another.
@@ -343,7 +343,7 @@ impl<C: Cells<N>, S: ContourSource<M>, const N: usize, const M: usize> ContourSe
             let straight =
                 |chord: f64| deviation < chord && is_straight(&self.corners(at), field, link, deviation, chord);
             if let Some(chord) = self.chord.filter(|&chord| !straight(chord)) {
-                let patch = patch.get_or_insert_with(|| self.cells.patch(at[0], at[1]));
+                let patch = patch.get_or_insert_with(|| self.cells.cell_patch(at[0], at[1]));
                 if let Some(place) = refine(patch, field, link, chord, rounding_error, &mut found.inner) {
                     alloc::push(&mut found.unresolved, (cell, place))?;
                 }

@@ -4,7 +4,7 @@
 use super::cone_culling;
 use super::contour_lattice::ContourLattice;
 use super::projected_normals::ProjectedNormals;
-use crate::cells::{BLOCK, Cells};
+use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
 use crate::index::Cones;
 use glam::DVec2;
 use gusset_base::alloc;
@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 
 /// Finds creases, each as a cell and the middle of its side. At both ends of the side, the angle is
 /// below one of `angles` in one of the two cells, and above it in the other.
-pub(super) fn creases<C: Cells<N>, const N: usize>(
+pub(super) fn creases<C: SheetCells<N>, const N: usize>(
     normals: &ProjectedNormals<'_, C, N>,
     cones: &Cones,
     lattice: &ContourLattice,
@@ -23,7 +23,7 @@ pub(super) fn creases<C: Cells<N>, const N: usize>(
     job: &Job<'_>,
 ) -> Result<Vec<([u32; 2], DVec2)>> {
     let angle = |[i, j]: [usize; 2], [u, v]: [f64; 2]| {
-        let normal = normals.cells.patch(i, j).jet(u, v).normal();
+        let normal = normals.cells.cell_patch(i, j).jet(u, v).normal();
         let [x, y, z] = normals.frame.map(|axis| axis.dot(normal));
         libm::atan2((x * x + y * y).sqrt(), if unsigned { z.abs() } else { z })
     };
@@ -39,11 +39,11 @@ pub(super) fn creases<C: Cells<N>, const N: usize>(
     let (mut found, mut jumps_in) = (Vec::new(), Vec::new());
     for i in 0..rows {
         job.step(i as f64 / rows as f64, "creases")?;
-        if i % BLOCK == 0 {
+        if i % CELLS_PER_BLOCK_SIDE == 0 {
             jumps_in.clear();
-            jumps_in.extend((0..lattice.blocks()[1]).map(|c| may_jump(i / BLOCK, c)));
+            jumps_in.extend((0..lattice.blocks()[1]).map(|c| may_jump(i / CELLS_PER_BLOCK_SIDE, c)));
         }
-        for j in (0..columns).filter(|j| jumps_in[j / BLOCK]) {
+        for j in (0..columns).filter(|j| jumps_in[j / CELLS_PER_BLOCK_SIDE]) {
             for direction in 0..2 {
                 let (behind, end) = lattice.owner([i, j], [direction == 0, direction == 1]);
                 if end != [false; 2] {

@@ -15,9 +15,9 @@ use super::paths::{ContourSet, add_points};
 use super::point_spacing::{PointSpacing, add_leus_points};
 use super::projected_normals::{Corners, ProjectedNormals, frame};
 use super::source::{CellBase, Continuity, ContourSource, levels_between};
-use crate::cells::Cells;
+use crate::cells::SheetCells;
 use crate::checks::{check_ascending, unit_vector};
-use crate::ranges::angles;
+use crate::ranges::angle_range_to_third_axis;
 use crate::subdivision::Field;
 use crate::{NormalKind, Paths, Place, Sheet, Surface};
 use glam::{DVec2, DVec3};
@@ -37,7 +37,7 @@ const BLOCKS_PER_TASK: usize = 64;
 /// The equation H = 0.
 struct SilhouetteSource<'a, C, const N: usize>(&'a ProjectedNormals<'a, C, N>);
 
-impl<C: Cells<N>, const N: usize, const M: usize> ContourSource<M> for SilhouetteSource<'_, C, N> {
+impl<C: SheetCells<N>, const N: usize, const M: usize> ContourSource<M> for SilhouetteSource<'_, C, N> {
     type Block = Corners;
     type Base = Field<M>;
     type Cache = ();
@@ -100,7 +100,7 @@ impl<C, const N: usize, const H: usize> Isophotes<'_, C, N, H> {
     }
 }
 
-impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> ContourSource<M> for Isophotes<'_, C, N, H> {
+impl<C: SheetCells<N>, const N: usize, const H: usize, const M: usize> ContourSource<M> for Isophotes<'_, C, N, H> {
     type Block = Corners;
     type Base = Squares<M>;
     type Cache = ();
@@ -110,18 +110,18 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> ContourSource<
     }
 
     fn may_cross(&self, block: &Corners, cell: [usize; 2]) -> bool {
-        if self.levels_in(angles(&block.ranges(cell), 0.0)).is_empty() {
+        if self.levels_in(angle_range_to_third_axis(&block.ranges(cell), 0.0)).is_empty() {
             return false;
         }
         let of = self.normals.hodographs(cell);
-        !self.levels_in(angles(&of.ranges(), self.normals.rounding_error(&of))).is_empty()
+        !self.levels_in(angle_range_to_third_axis(&of.ranges(), self.normals.rounding_error(&of))).is_empty()
     }
 
     fn base(&self, _: &Corners, cell: [usize; 2], (): &mut ()) -> CellBase<Squares<M>> {
         let of = self.normals.hodographs(cell);
         let [first, second, along]: [Field<H>; 3] = std::array::from_fn(|k| of.normal(k));
         let [u, v] = of.speeds();
-        let levels = self.levels_in(angles(&of.ranges(), self.normals.rounding_error(&of)));
+        let levels = self.levels_in(angle_range_to_third_axis(&of.ranges(), self.normals.rounding_error(&of)));
         let rounding_error = 4.0 * u * v * self.normals.rounding_error(&of);
         CellBase {
             levels,
@@ -150,7 +150,7 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> ContourSource<
             return Some(true);
         }
         let rounding_error = self.normals.rounding_error(&self.normals.hodographs(cell));
-        let patch = self.normals.cells.patch(cell[0], cell[1]);
+        let patch = self.normals.cells.cell_patch(cell[0], cell[1]);
         let sign = self.classes.others[level][1].signum();
         let along = places().map(|at| sign * patch.jet(at.x, at.y).normal().dot(self.normals.frame[2]));
         let (right, wrong) = (along.iter().any(|&x| x > rounding_error), along.iter().any(|&x| x < -rounding_error));
@@ -299,16 +299,18 @@ struct IsophoteSearch<'a> {
 
 impl IsophoteSearch<'_> {
     /// Adds the curves and points of sheet k.
-    fn find<C: Cells<N>, const N: usize, const H: usize, const M: usize>(
+    fn find<C: SheetCells<N>, const N: usize, const H: usize, const M: usize>(
         &mut self,
         k: usize,
         cells: &C,
         job: &Job<'_>,
     ) -> Result<()> {
         let IsophoteSearch { surface, frame, ref classes, chord, ref mut curves, ref mut points } = *self;
-        let (sheet, cones, job) = (surface.sheet(k), surface.cones(k, &job.part(0.0, 0.5))?, job.part(0.5, 1.0));
+        let (sheet, cones, job) =
+            (surface.sheet(k), surface.cones_of_sheet(k, &job.part(0.0, 0.5))?, job.part(0.5, 1.0));
         let lattice = ContourLattice::new(sheet);
-        let is_smooth = matches!(sheet, Sheet::Grid(grid) if grid.axes().iter().all(|axis| axis.is_smooth()));
+        let is_smooth =
+            matches!(sheet, Sheet::Grid(grid) if grid.axes().iter().all(|axis| axis.has_continuous_slopes()));
         let jumps = !is_smooth;
         let continuity = if is_smooth { Continuity::UpToRounding } else { Continuity::Discontinuous };
         let normals = ProjectedNormals::new(surface, k, cells, frame, continuity);
@@ -360,7 +362,7 @@ impl IsophoteSearch<'_> {
 
 /// Finds the places in some blocks where the normal has the direction (`sign` 1), or the opposite
 /// one, and the unresolved places.
-fn poles<C: Cells<N>, const N: usize, const H: usize>(
+fn poles<C: SheetCells<N>, const N: usize, const H: usize>(
     normals: &ProjectedNormals<'_, C, N>,
     sheet: u32,
     lattice: &ContourLattice,

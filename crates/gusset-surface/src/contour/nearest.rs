@@ -16,10 +16,10 @@ use super::contour_lattice::ContourLattice;
 use super::normals::{Hodographs, squares};
 use super::projected_normals::{ProjectedNormals, frame};
 use super::source::Continuity;
-use crate::cells::Cells;
+use crate::cells::SheetCells;
 use crate::checks::unit_vector;
 use crate::index::Cones;
-use crate::ranges::angles;
+use crate::ranges::angle_range_to_third_axis;
 use crate::subdivision::Field;
 use crate::{Place, Sheet, Surface, each_sheet};
 use glam::{DVec2, DVec3};
@@ -161,7 +161,7 @@ struct AngleSearch<'a, C, const N: usize> {
     goal: TargetAngle,
 }
 
-impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
+impl<'a, C: SheetCells<N>, const N: usize> AngleSearch<'a, C, N> {
     fn new(surface: &'a Surface<'_>, k: usize, cells: &'a C, frame: [DVec3; 3], goal: TargetAngle) -> Self {
         let normals = ProjectedNormals::new(surface, k, cells, frame, Continuity::Discontinuous);
         AngleSearch { normals, sheet: k as u32, goal }
@@ -215,7 +215,7 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
                         }
                         let (corners, cells) = self.normals.block(lattice, [r, c]);
                         for cell in cells {
-                            if self.goal.bound(angles(&corners.ranges(cell), 0.0)) < best.deviation {
+                            if self.goal.bound(angle_range_to_third_axis(&corners.ranges(cell), 0.0)) < best.deviation {
                                 self.cell(cell, &mut best, &mut candidates)?;
                             }
                         }
@@ -236,10 +236,10 @@ impl<'a, C: Cells<N>, const N: usize> AngleSearch<'a, C, N> {
     }
 
     fn cell(&self, [i, j]: [usize; 2], best: &mut Best, candidates: &mut Vec<CandidateCell>) -> Result<()> {
-        let (cell, patch) = ([i as u32, j as u32], self.normals.cells.patch(i, j));
+        let (cell, patch) = ([i as u32, j as u32], self.normals.cells.cell_patch(i, j));
         let of = Hodographs::new(&patch, &self.normals.frame);
         let (ranges, rounding_error) = (of.ranges(), self.normals.rounding_error(&of));
-        let bound = self.goal.bound(angles(&ranges, 0.0));
+        let bound = self.goal.bound(angle_range_to_third_axis(&ranges, 0.0));
         if bound >= best.deviation || all_vanish(&ranges, rounding_error) {
             return Ok(());
         }
@@ -290,7 +290,7 @@ impl<const H: usize, const M: usize> Subdivision<NormalPart<H>, 4> for CellSearc
             return Ok(BoxTest::Empty);
         }
         let proved = (self.best.deviation - ANGLE_TOLERANCE).max(0.0);
-        let near = self.goal.bound(angles(&ranges, 0.0));
+        let near = self.goal.bound(angle_range_to_third_axis(&ranges, 0.0));
         if near >= proved || self.goal.is_beyond::<H, M>(&part.normal, proved) {
             self.bound = self.bound.min(near.max(proved));
             return Ok(BoxTest::Empty);
@@ -304,7 +304,7 @@ impl<const H: usize, const M: usize> Subdivision<NormalPart<H>, 4> for CellSearc
 
     fn give_up(&mut self, part: NormalPart<H>, _exhausted: bool) -> Result<(), Infallible> {
         let ranges = part.normal.map(|field| field.range());
-        self.bound = self.bound.min(self.goal.bound(angles(&ranges, 0.0)));
+        self.bound = self.bound.min(self.goal.bound(angle_range_to_third_axis(&ranges, 0.0)));
         Ok(())
     }
 
@@ -343,7 +343,7 @@ impl Surface<'_> {
         let mut candidates = Vec::new();
         for k in 0..self.len() {
             let (part, sheet) = (self.sheet_job(k, job), self.sheet(k));
-            let (cones, part) = (self.cones(k, &part.part(0.0, 0.5))?, part.part(0.5, 1.0));
+            let (cones, part) = (self.cones_of_sheet(k, &part.part(0.0, 0.5))?, part.part(0.5, 1.0));
             each_sheet!(sheet, cells => {
                 let search = AngleSearch::new(self, k, cells, frame, goal);
                 search.candidates(cones, &ContourLattice::new(sheet), &mut best, &mut candidates, &part)

@@ -5,7 +5,7 @@
 //! (Farouki and Rajan 1988).
 
 use crate::Patch;
-use crate::ranges::cross;
+use crate::ranges::cross_product_ranges;
 use crate::subdivision::Field;
 use glam::DVec3;
 use gusset_base::geom::aabb::range;
@@ -78,7 +78,10 @@ impl<const N: usize> Hodographs<N> {
         let part = |of: &[[f64; N]; N], rows: usize, columns: usize| {
             range(of[..rows].iter().flat_map(|row| &row[..columns]).copied())
         };
-        cross(self.u.each_ref().map(|of| part(of, N - 1, N)), self.v.each_ref().map(|of| part(of, N, N - 1)))
+        cross_product_ranges(
+            self.u.each_ref().map(|of| part(of, N - 1, N)),
+            self.v.each_ref().map(|of| part(of, N, N - 1)),
+        )
     }
 
     /// Upper bounds of the lengths of S_u and S_v, from control vectors.

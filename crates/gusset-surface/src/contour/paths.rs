@@ -60,7 +60,7 @@ impl ContourSet {
         }
         sequences.sort_unstable();
         let mut paths = Paths { ends: vec![0], unresolved: self.unresolved, ..Paths::default() };
-        paths.reserve(sheet_paths.places.len())?;
+        paths.reserve_points(sheet_paths.places.len())?;
         let mut sequence = Vec::new();
         for (_, first) in sequences {
             sequence.clear();
@@ -146,7 +146,7 @@ impl SheetContours {
     fn add(&self, contours: &[usize], closed: bool, tolerance: f64, paths: &mut Paths) -> Result<()> {
         let first = paths.points.len();
         let point_numbers = || contours.iter().flat_map(|&k| self.contours[k].range[0]..self.contours[k].range[1]);
-        let push = |at: usize, paths: &mut Paths| paths.push(self.places[at], self.points[at], self.normals[at]);
+        let push = |at: usize, paths: &mut Paths| paths.push_point(self.places[at], self.points[at], self.normals[at]);
         for at in point_numbers() {
             let near = paths.points.len() > first
                 && paths.points.last().is_some_and(|last| last.distance(self.points[at]) <= tolerance);
@@ -158,19 +158,19 @@ impl SheetContours {
         let ends = |paths: &Paths| paths.points.len() > first + 1;
         if closed {
             while ends(paths) && paths.points[paths.points.len() - 1].distance(paths.points[first]) <= tolerance {
-                paths.truncate(paths.points.len() - 1);
+                paths.truncate_points(paths.points.len() - 1);
             }
         } else if let Some(last) = last.filter(|&last| ends(paths) && paths.points.last() != Some(&self.points[last])) {
             // The end itself is kept, and points close to it are skipped.
-            paths.truncate(paths.points.len() - 1);
+            paths.truncate_points(paths.points.len() - 1);
             push(last, paths)?;
         }
         if paths.points.len() < first + if closed { 3 } else { 2 } {
             alloc::push(&mut paths.unresolved, paths.places[first])?;
-            paths.truncate(first);
+            paths.truncate_points(first);
             return Ok(());
         }
-        paths.end(closed, self.contours[contours[0]].level)
+        paths.end_path(closed, self.contours[contours[0]].level)
     }
 
     /// Lists ends that are not on an open edge as unresolved. They occur where fields are
@@ -222,8 +222,8 @@ pub(super) fn add_points(surface: &Surface<'_>, points: &[(u32, Place)], paths: 
         }
     }
     for k in (0..points.len()).filter(|&k| !dropped[k]) {
-        paths.push(points[k].1, frames[k].0, frames[k].1)?;
-        paths.end(false, points[k].0)?;
+        paths.push_point(points[k].1, frames[k].0, frames[k].1)?;
+        paths.end_path(false, points[k].0)?;
     }
     *paths = sort_by_level(std::mem::take(paths))?;
     Ok(())
@@ -236,10 +236,10 @@ fn sort_by_level(mut given: Paths) -> Result<Paths> {
     let unresolved = std::mem::take(&mut given.unresolved);
     let mut sorted = Paths { ends: vec![0], unresolved, ..Paths::default() };
     for k in order {
-        for at in given.range(k) {
-            sorted.push(given.places[at], given.points[at], given.normals[at])?;
+        for at in given.point_range(k) {
+            sorted.push_point(given.places[at], given.points[at], given.normals[at])?;
         }
-        sorted.end(given.closed[k], given.levels[k])?;
+        sorted.end_path(given.closed[k], given.levels[k])?;
     }
     Ok(sorted)
 }

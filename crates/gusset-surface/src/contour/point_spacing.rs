@@ -34,7 +34,7 @@ impl Surface<'_> {
     /// The chord tolerance; `None` if no points are inserted on the surface.
     pub(super) fn chord(&self, spacing: PointSpacing) -> Result<Option<f64>> {
         match spacing {
-            PointSpacing::Auto => Ok(Some(1e-4 * self.diagonal())),
+            PointSpacing::Auto => Ok(Some(1e-4 * self.box_diagonal())),
             PointSpacing::CellEdges => Ok(None),
             PointSpacing::Leus(count) if count <= MAX_POINTS => Ok(None),
             PointSpacing::Leus(count) => Err(Error::OptionOutOfRange { option: "points", value: count.into() }),
@@ -56,20 +56,20 @@ pub(super) fn add_leus_points(given: Paths, spacing: PointSpacing) -> Result<Pat
     let mut made = Paths { ends: vec![0], ..Paths::default() };
     for k in 0..given.len() {
         let (points, closed) = (given.points_of(k), given.closed[k]);
-        made.reserve(points.len() * (count + 1))?;
-        for (i, at) in given.range(k).enumerate() {
+        made.reserve_points(points.len() * (count + 1))?;
+        for (i, at) in given.point_range(k).enumerate() {
             let (place, normal) = (given.places[at], given.normals[at]);
-            made.push(place, points[i], normal)?;
+            made.push_point(place, points[i], normal)?;
             if i + 1 == points.len() && !closed {
                 break;
             }
-            let next = given.normals[given.range(k).start + (i + 1) % points.len()];
+            let next = given.normals[given.point_range(k).start + (i + 1) % points.len()];
             for step in 1..=count {
                 let t = step as f64 / (count + 1) as f64;
-                made.push(place, cubic(points, closed, i, t), normal.lerp(next, t).normalize_or_zero())?;
+                made.push_point(place, cubic(points, closed, i, t), normal.lerp(next, t).normalize_or_zero())?;
             }
         }
-        made.end(closed, given.levels[k])?;
+        made.end_path(closed, given.levels[k])?;
     }
     made.unresolved = given.unresolved;
     Ok(made)

@@ -6,9 +6,9 @@ use super::contour_lattice::ContourLattice;
 use super::normals::Hodographs;
 use super::source::Continuity;
 use crate::Surface;
-use crate::cells::{BLOCK, Cells};
+use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
 use crate::index::Pyramid;
-use crate::ranges::cross;
+use crate::ranges::cross_product_ranges;
 use crate::subdivision::{Roots, roots};
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;
@@ -28,7 +28,7 @@ pub(super) struct ProjectedNormals<'a, C, const N: usize> {
 
 /// The corners of a block's cells, in the frame.
 pub(super) struct Corners {
-    at: [[DVec3; BLOCK + 1]; BLOCK + 1],
+    at: [[DVec3; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1],
     start: [usize; 2],
     /// Bound of the difference between control vectors of S_u and S_v and the sides of the
     /// quadrilateral.
@@ -45,11 +45,11 @@ impl Corners {
             let (low, high) = (a.min(b) - self.slack, a.max(b) + self.slack);
             [0, 1, 2].map(|k| [low[k], high[k]])
         };
-        cross(range(p10 - p00, p11 - p01), range(p01 - p00, p11 - p10))
+        cross_product_ranges(range(p10 - p00, p11 - p01), range(p01 - p00, p11 - p10))
     }
 }
 
-impl<'a, C: Cells<N>, const N: usize> ProjectedNormals<'a, C, N> {
+impl<'a, C: SheetCells<N>, const N: usize> ProjectedNormals<'a, C, N> {
     /// Creates the normals of sheet k of a surface, given its cells.
     pub(super) fn new(
         surface: &'a Surface<'_>,
@@ -58,7 +58,7 @@ impl<'a, C: Cells<N>, const N: usize> ProjectedNormals<'a, C, N> {
         frame: [DVec3; 3],
         continuity: Continuity,
     ) -> Self {
-        let (index, max_coordinate) = (surface.indexed(k).1, surface.max_coordinate());
+        let (index, max_coordinate) = (surface.sheet_and_index(k).1, surface.max_coordinate());
         ProjectedNormals { cells, index, frame, max_coordinate, continuity }
     }
 
@@ -71,12 +71,12 @@ impl<'a, C: Cells<N>, const N: usize> ProjectedNormals<'a, C, N> {
     /// the absolute values of its weights. L' is at most 1.42 L, so a control point is off by at
     /// most 2 deviations.
     pub(super) fn corners(&self, [rows, columns]: &[Range<usize>; 2]) -> Corners {
-        let deviation = self.index.deviation(rows.start / BLOCK, columns.start / BLOCK);
-        let mut at = [[DVec3::ZERO; BLOCK + 1]; BLOCK + 1];
+        let deviation = self.index.deviation(rows.start / CELLS_PER_BLOCK_SIDE, columns.start / CELLS_PER_BLOCK_SIDE);
+        let mut at = [[DVec3::ZERO; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1];
         let origin = self.index.origin();
         for (r, row) in at.iter_mut().enumerate().take(rows.len() + 1) {
             for (c, corner) in row.iter_mut().enumerate().take(columns.len() + 1) {
-                let point = self.cells.corner(rows.start + r, columns.start + c) - origin;
+                let point = self.cells.corner_point(rows.start + r, columns.start + c) - origin;
                 *corner = DVec3::from_array(self.frame.map(|axis| axis.dot(point)));
             }
         }
@@ -97,7 +97,7 @@ impl<'a, C: Cells<N>, const N: usize> ProjectedNormals<'a, C, N> {
 
     /// The control vectors of S_u and S_v over a cell.
     pub(super) fn hodographs(&self, [i, j]: [usize; 2]) -> Hodographs<N> {
-        Hodographs::new(&self.cells.patch(i, j), &self.frame)
+        Hodographs::new(&self.cells.cell_patch(i, j), &self.frame)
     }
 
     /// Finds the places in a cell where both components across vanish, and the component along the
@@ -122,7 +122,7 @@ impl<'a, C: Cells<N>, const N: usize> ProjectedNormals<'a, C, N> {
         }
         let mut found = Roots::default();
         roots([of.normal::<H>(0), of.normal::<H>(1)], rounding_error, rounding_error, &mut found)?;
-        let along = |at: &DVec2| self.cells.patch(cell[0], cell[1]).jet(at.x, at.y).normal().dot(self.frame[2]);
+        let along = |at: &DVec2| self.cells.cell_patch(cell[0], cell[1]).jet(at.x, at.y).normal().dot(self.frame[2]);
         found.simple.retain(|at| along(at) * sign > 0.0);
         let unresolved = found.unresolved.iter().map(|cluster| cluster.best.middle.truncate());
         Ok([found.simple, alloc::collect(unresolved)?])

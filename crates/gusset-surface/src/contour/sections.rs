@@ -10,8 +10,8 @@ use super::paths::ContourSet;
 use super::planes::{self, Planes};
 use super::point_spacing::{PointSpacing, add_leus_points};
 use super::source::{Nodal, Plane};
-use crate::axis::{Axis, Scheme};
-use crate::cells::BLOCK;
+use crate::axis::{GridAxis, Scheme};
+use crate::cells::CELLS_PER_BLOCK_SIDE;
 use crate::checks::{check_ascending, check_finite, unit_vector};
 use crate::{Paths, Sheet, Surface, each_sheet};
 use gusset_base::error::{Element, Error, Result};
@@ -44,7 +44,7 @@ impl Surface<'_> {
         let rounding_error = 16.0 * f64::EPSILON * max_coordinate;
         let mut contours = ContourSet::default();
         for k in 0..self.len() {
-            let (part, (sheet, index)) = (self.sheet_job(k, job), self.indexed(k));
+            let (part, (sheet, index)) = (self.sheet_job(k, job), self.sheet_and_index(k));
             let lattice = ContourLattice::new(sheet);
             let blocks = planes::blocks(index, lattice.blocks(), planes.point, normal, planes.levels, rounding_error)?;
             let block = |k: usize| blocks[k];
@@ -53,10 +53,12 @@ impl Surface<'_> {
                 Sheet::Grid(grid) => {
                     let axes = grid.axes();
                     let value = |i: usize, j: usize| (grid.nodes().get(i, j) - planes.point).dot(normal);
-                    let excess = axes[0].lebesgue() * axes[1].lebesgue() - 1.0;
+                    let excess = axes[0].lebesgue_constant() * axes[1].lebesgue_constant() - 1.0;
                     // The normal is a unit vector, so the deviation of the surface bounds the
                     // deviation of the product.
-                    let deviation = |i: usize, j: usize| index.deviation(i / BLOCK, j / BLOCK) + rounding_error;
+                    let deviation = |i: usize, j: usize| {
+                        index.deviation(i / CELLS_PER_BLOCK_SIDE, j / CELLS_PER_BLOCK_SIDE) + rounding_error
+                    };
                     let source = Nodal { axes, value, levels: planes.levels, rounding_error, excess, deviation };
                     ContourSearch { cells: grid, source: &source, lattice, chord }.run(blocks.len(), block, &part)?
                 }
@@ -94,19 +96,19 @@ impl Surface<'_> {
         let mut contours = ContourSet::default();
         let mut first = 0;
         for k in 0..self.len() {
-            let (part, (sheet, _)) = (self.sheet_job(k, job), self.indexed(k));
+            let (part, (sheet, _)) = (self.sheet_job(k, job), self.sheet_and_index(k));
             let lattice = ContourLattice::new(sheet);
             let [rows, columns] = sheet.cells().map(|count| count + 1);
             let own = &values[first..first + rows * columns];
             first += rows * columns;
             let largest = own.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
-            let made = [Axis::new(rows, false, Scheme::SixTap), Axis::new(columns, false, Scheme::SixTap)];
+            let made = [GridAxis::new(rows, false, Scheme::SixTap), GridAxis::new(columns, false, Scheme::SixTap)];
             let axes = match sheet {
                 Sheet::Grid(grid) => grid.axes(),
                 _ => [&made[0], &made[1]],
             };
             let value = |i: usize, j: usize| own[i * columns + j];
-            let excess = axes[0].lebesgue() * axes[1].lebesgue() - 1.0;
+            let excess = axes[0].lebesgue_constant() * axes[1].lebesgue_constant() - 1.0;
             let rounding_error = 16.0 * f64::EPSILON * largest;
             let source = Nodal { axes, value, levels, rounding_error, excess, deviation: |_, _| f64::INFINITY };
             let [_, across] = lattice.blocks();

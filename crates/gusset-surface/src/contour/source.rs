@@ -1,7 +1,7 @@
 //! Sources of the fields over cells, one for each kind of query.
 
-use crate::axis::{Axis, TAPS};
-use crate::cells::{BLOCK, Cells};
+use crate::axis::{GridAxis, NODES_PER_CUBIC};
+use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
 use crate::subdivision::Field;
 use glam::{DVec2, DVec3};
 use gusset_base::geom::aabb::range;
@@ -123,39 +123,39 @@ pub(super) fn levels_between(levels: &[f64], [low, high]: [f64; 2], slack: f64) 
 }
 
 /// Number of nodes in one direction that the cells of a block depend on.
-const NODES_PER_WINDOW: usize = BLOCK + TAPS - 1;
+const NODES_PER_WINDOW: usize = CELLS_PER_BLOCK_SIDE + NODES_PER_CUBIC - 1;
 
 /// The scalars that the cells of a block depend on, and their weights.
 pub(super) struct ScalarWindow {
     start: [usize; 2],
     values: [[f64; NODES_PER_WINDOW]; NODES_PER_WINDOW],
     /// By direction and cell: the index of its first node.
-    first: [[usize; BLOCK]; 2],
-    rows: [[[f64; TAPS]; 4]; BLOCK],
+    first: [[usize; CELLS_PER_BLOCK_SIDE]; 2],
+    rows: [[[f64; NODES_PER_CUBIC]; 4]; CELLS_PER_BLOCK_SIDE],
     /// By cell, node and coefficient.
-    columns: [[[f64; 4]; TAPS]; BLOCK],
+    columns: [[[f64; 4]; NODES_PER_CUBIC]; CELLS_PER_BLOCK_SIDE],
 }
 
 impl ScalarWindow {
     /// Creates the window of the nodes that a block of cells depends on. `value` returns the scalar
     /// at a node.
-    fn new(axes: [&Axis; 2], cells: &[Range<usize>; 2], value: impl Fn(usize, usize) -> f64) -> Self {
+    fn new(axes: [&GridAxis; 2], cells: &[Range<usize>; 2], value: impl Fn(usize, usize) -> f64) -> Self {
         let mut window = ScalarWindow {
             start: [cells[0].start, cells[1].start],
             values: [[0.0; NODES_PER_WINDOW]; NODES_PER_WINDOW],
-            first: [[0; BLOCK]; 2],
-            rows: [[[0.0; TAPS]; 4]; BLOCK],
-            columns: [[[0.0; 4]; TAPS]; BLOCK],
+            first: [[0; CELLS_PER_BLOCK_SIDE]; 2],
+            rows: [[[0.0; NODES_PER_CUBIC]; 4]; CELLS_PER_BLOCK_SIDE],
+            columns: [[[0.0; 4]; NODES_PER_CUBIC]; CELLS_PER_BLOCK_SIDE],
         };
         let mut lines = [[0; NODES_PER_WINDOW]; 2];
         let mut counts = [0; 2];
         for (d, (axis, range)) in axes.into_iter().zip(cells).enumerate() {
-            let ([origin, ..], _) = axis.taps(range.start);
+            let ([origin, ..], _) = axis.nodes_and_weights(range.start);
             for (k, cell) in range.clone().enumerate() {
-                let (taps, weights) = axis.taps(cell);
+                let (taps, weights) = axis.nodes_and_weights(cell);
                 let first = if axis.is_closed() { k } else { taps[0] - origin };
-                lines[d][first..first + TAPS].copy_from_slice(&taps);
-                counts[d] = first + TAPS;
+                lines[d][first..first + NODES_PER_CUBIC].copy_from_slice(&taps);
+                counts[d] = first + NODES_PER_CUBIC;
                 window.first[d][k] = first;
                 if d == 0 {
                     window.rows[k] = *weights;
@@ -190,7 +190,7 @@ impl ScalarWindow {
     fn field(&self, [i, j]: [usize; 2]) -> Field<4> {
         let (r, c) = (i - self.start[0], j - self.start[1]);
         let (row, column) = (self.first[0][r], self.first[1][c]);
-        let mut along = [[0.0; 4]; TAPS];
+        let mut along = [[0.0; 4]; NODES_PER_CUBIC];
         for (sums, values) in along.iter_mut().zip(&self.values[row..]) {
             for (weights, value) in self.columns[c].iter().zip(&values[column..]) {
                 for (sum, weight) in sums.iter_mut().zip(weights) {
@@ -214,7 +214,7 @@ impl ScalarWindow {
 pub(super) struct NodalBlock {
     cells: [Range<usize>; 2],
     /// The scalars at the corners of cells, if the deviation is finite.
-    corners: [[f64; BLOCK + 1]; BLOCK + 1],
+    corners: [[f64; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1],
     /// Bound of how far the field over a cell may be outside the range of its corners.
     deviation: f64,
 }
@@ -245,7 +245,7 @@ impl NodalBlock {
 
 /// Scalars at nodes, interpolated like the nodes.
 pub(super) struct Nodal<'a, F, D> {
-    pub(super) axes: [&'a Axis; 2],
+    pub(super) axes: [&'a GridAxis; 2],
     pub(super) value: F,
     pub(super) levels: &'a [f64],
     pub(super) rounding_error: f64,
@@ -269,7 +269,8 @@ where
     #[inline]
     fn block(&self, cells: [Range<usize>; 2], cache: &mut CachedWindow) -> Option<NodalBlock> {
         let deviation = (self.deviation)(cells[0].start, cells[1].start);
-        let mut block = NodalBlock { cells, corners: [[0.0; BLOCK + 1]; BLOCK + 1], deviation };
+        let mut block =
+            NodalBlock { cells, corners: [[0.0; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1], deviation };
         if deviation.is_finite() {
             let [rows, columns] = &block.cells;
             for (i, values) in (rows.start..=rows.end).zip(&mut block.corners) {
@@ -311,13 +312,15 @@ where
         let along_u = side.is_multiple_of(2);
         let across = if along_u { j } else { i } + usize::from(side == 1 || side == 2);
         let (axis, cell) = if along_u { (self.axes[0], i) } else { (self.axes[1], j) };
-        let ((lines, weights), place) = (axis.taps(cell), axis.place(cell));
-        let mut values = [0.0; TAPS];
+        let ((lines, weights), place) = (axis.nodes_and_weights(cell), axis.position_among_nodes(cell));
+        let mut values = [0.0; NODES_PER_CUBIC];
         for (value, line) in values.iter_mut().zip(lines) {
             *value = if along_u { (self.value)(line, across) } else { (self.value)(across, line) };
         }
         // Sums in the same order as the window, so that results have the same bits.
-        let sum = |weights: &[f64; TAPS]| weights.iter().zip(&values).fold(0.0, |sum, (weight, x)| sum + weight * x);
+        let sum = |weights: &[f64; NODES_PER_CUBIC]| {
+            weights.iter().zip(&values).fold(0.0, |sum, (weight, x)| sum + weight * x)
+        };
         let (inner, level) = ([sum(&weights[1]), sum(&weights[2])], self.levels[level]);
         [values[place] - level, inner[0] - level, inner[1] - level, values[place + 1] - level]
     }
@@ -371,7 +374,7 @@ pub(super) struct Plane<'a, C, const N: usize> {
     pub(super) rounding_error: f64,
 }
 
-impl<C: Cells<N>, const N: usize> ContourSource<N> for Plane<'_, C, N> {
+impl<C: SheetCells<N>, const N: usize> ContourSource<N> for Plane<'_, C, N> {
     type Block = ();
     type Base = Field<N>;
     type Cache = ();
@@ -381,7 +384,7 @@ impl<C: Cells<N>, const N: usize> ContourSource<N> for Plane<'_, C, N> {
     }
 
     fn base(&self, (): &(), [i, j]: [usize; 2], (): &mut ()) -> CellBase<Field<N>> {
-        let patch = self.cells.patch(i, j);
+        let patch = self.cells.cell_patch(i, j);
         let heights = Field { c: patch.points.map(|row| row.map(|point| (point - self.origin).dot(self.normal))) };
         CellBase::from_field(heights, self.levels, self.rounding_error)
     }

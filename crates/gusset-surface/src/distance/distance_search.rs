@@ -94,7 +94,7 @@ impl<'a> DistanceSearch<'a> {
     /// Searches for the nearest points. Returns a lower bound of the distance.
     pub(super) fn find(&mut self) -> Result<f64> {
         self.consider(0, 0)?;
-        let left = self.run()?.unwrap_or(f64::INFINITY);
+        let left = self.search_best_first()?.unwrap_or(f64::INFINITY);
         self.finish();
         Ok(left.min(self.settled).min(self.distance()))
     }
@@ -198,15 +198,15 @@ impl<'a> DistanceSearch<'a> {
 }
 
 impl BranchAndBound for DistanceSearch<'_> {
-    type Task = PiecePair;
-    type Key = (u32, usize, usize);
-    type Stop = Error;
+    type SearchTask = PiecePair;
+    type TieBreakKey = (u32, usize, usize);
+    type StopReason = Error;
 
     fn frontier(&mut self) -> &mut Frontier<PiecePair, (u32, usize, usize)> {
         &mut self.frontier
     }
 
-    fn is_wanted(&mut self, bound: f64) -> bool {
+    fn is_bound_wanted(&mut self, bound: f64) -> bool {
         let distance = self.distance();
         let is_long = self.pairs >= MIN_PAIRS && self.pairs - self.pairs_at_gain >= self.pairs / 2;
         let is_spent = self.pairs >= MAX_PAIRS
@@ -215,7 +215,7 @@ impl BranchAndBound for DistanceSearch<'_> {
         bound < self.limit() && distance > self.rounding && !(is_spent && distance.is_finite())
     }
 
-    fn branch(&mut self, bound: f64, pair: PiecePair) -> Result<()> {
+    fn branch_task(&mut self, bound: f64, pair: PiecePair) -> Result<()> {
         self.pairs += 1;
         if self.pairs.is_multiple_of(PAIRS_PER_REPORT) {
             self.job.step(self.pairs as f64 / (2 * MAX_PAIRS) as f64, STAGE)?;

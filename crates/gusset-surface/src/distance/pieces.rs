@@ -6,7 +6,7 @@
 //! pairs share the parts. Memory: the control points of all pieces.
 
 use super::control_net::{Balls, ControlNet};
-use crate::cells::{Cells, cells_of_block};
+use crate::cells::{SheetCells, cells_of_block};
 use crate::index::OrientedBox;
 use crate::{Surface, each_sheet};
 use glam::DMat3;
@@ -239,7 +239,7 @@ impl<'a> Pieces<'a> {
     fn add_range(&mut self, from: usize, to: usize) -> Result<()> {
         let bounds = match self.source {
             DistanceSide::Surface(surface) => {
-                (from..to).map(|k| surface.indexed(k).1.bounds()).fold(Aabb::EMPTY, Aabb::union)
+                (from..to).map(|k| surface.sheet_and_index(k).1.bounds()).fold(Aabb::EMPTY, Aabb::union)
             }
             DistanceSide::Curve(curve) if to - from == 1 => {
                 let points = alloc::collect(curve.segment(from).iter().map(|&point| self.view.map(point)))?;
@@ -259,7 +259,7 @@ impl<'a> Pieces<'a> {
     /// Adds the top block of a sheet.
     fn add_root_block(&mut self, sheet: usize) -> Result<()> {
         let DistanceSide::Surface(surface) = self.source else { return Ok(()) };
-        let (_, index) = surface.indexed(sheet);
+        let (_, index) = surface.sheet_and_index(sheet);
         let kind = Kind::Block { sheet, level: index.levels().len(), row: 0, column: 0 };
         self.add_box(kind, corners(&index.bounds()))
     }
@@ -267,7 +267,7 @@ impl<'a> Pieces<'a> {
     /// Adds the children of a block, with their oriented boxes if they exist.
     fn add_blocks(&mut self, sheet: usize, level: usize, [row, column]: [usize; 2]) -> Result<()> {
         let DistanceSide::Surface(surface) = self.source else { return Ok(()) };
-        let (_, index) = surface.indexed(sheet);
+        let (_, index) = surface.sheet_and_index(sheet);
         let below = &index.levels()[level - 1];
         for child in 0..4 {
             let (r, c) = (2 * row + child / 2, 2 * column + child % 2);
@@ -288,7 +288,7 @@ impl<'a> Pieces<'a> {
         for cell in cells_of_block(block, kind.cells()) {
             let whereabouts = Whereabouts { number: sheet, cell, at: [0.0; 2] };
             each_sheet!(kind, cells => {
-                let mut patch = Cells::patch(cells, cell[0], cell[1]);
+                let mut patch = SheetCells::cell_patch(cells, cell[0], cell[1]);
                 let side = patch.points.len();
                 let points = patch.points.as_flattened_mut();
                 points.iter_mut().for_each(|point| *point = view.map(*point));

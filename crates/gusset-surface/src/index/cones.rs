@@ -8,9 +8,9 @@
 //! encloses the cones of its four children. Invariant: rounding only widens a cone. O(n) to build,
 //! 8 bytes for each block.
 
-use super::super::cells::{BLOCK, Cells};
-use super::super::normal::angle;
-use super::super::ranges::{angles, cross};
+use super::super::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
+use super::super::normal::angle_between_unit_vectors;
+use super::super::ranges::{angle_range_to_third_axis, cross_product_ranges};
 use super::schedule::block_rows_per_task;
 use glam::DVec3;
 use gusset_base::error::Result;
@@ -64,9 +64,13 @@ impl PackedCone {
                 [at - reach, at + reach]
             })
         };
-        let normal = cross(ranges(u, half_u), ranges(v, half_v));
+        let normal = cross_product_ranges(ranges(u, half_u), ranges(v, half_v));
         // Otherwise the product may vanish. NaN leads here too.
-        if normal[2][0] > 0.0 { PackedCone::new(axis, angles(&normal, 0.0)[1]) } else { PackedCone::ALL }
+        if normal[2][0] > 0.0 {
+            PackedCone::new(axis, angle_range_to_third_axis(&normal, 0.0)[1])
+        } else {
+            PackedCone::ALL
+        }
     }
 
     /// A cone that contains other cones.
@@ -93,7 +97,7 @@ impl PackedCone {
 impl NormalCone {
     /// The angle between the axis and a unit vector.
     fn angle_to(&self, direction: DVec3) -> f64 {
-        angle(self.axis, direction)
+        angle_between_unit_vectors(self.axis, direction)
     }
 
     /// Bounds of the angles between the cone's directions and a unit vector.
@@ -117,8 +121,8 @@ struct ConeLevel {
 
 impl Cones {
     /// Builds the cones. `reach` is the largest absolute coordinate of the sheet.
-    pub(super) fn build<const N: usize>(cells: &impl Cells<N>, reach: f64, job: &Job<'_>) -> Result<Cones> {
-        let [rows, columns] = cells.counts().map(|count| count.div_ceil(BLOCK));
+    pub(super) fn build<const N: usize>(cells: &impl SheetCells<N>, reach: f64, job: &Job<'_>) -> Result<Cones> {
+        let [rows, columns] = cells.cell_counts().map(|count| count.div_ceil(CELLS_PER_BLOCK_SIDE));
         // Rounding of sums of nodes and of their products, here and in the construction of patches.
         let noise = 1024.0 * f64::EPSILON * reach;
         let mut base = alloc::filled(PackedCone::ALL, rows * columns)?;
@@ -127,7 +131,7 @@ impl Cones {
         par::map_cancellable(job, "normal cones", parts, |(k, cones)| {
             let first = rows_together * k;
             let mut boxes = alloc::filled([Aabb::EMPTY; 2], cones.len())?;
-            cells.tangents(first..first + cones.len() / columns, &mut boxes)?;
+            cells.fill_tangent_boxes(first..first + cones.len() / columns, &mut boxes)?;
             for (cone, boxes) in cones.iter_mut().zip(boxes) {
                 *cone = PackedCone::from_products(boxes.map(|bounds| bounds.inflated(noise)));
             }

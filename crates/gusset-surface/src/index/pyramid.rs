@@ -1,6 +1,6 @@
 //! The pyramid of boxes of one sheet.
 
-use super::super::cells::{BLOCK, Cells};
+use super::super::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
 use super::boxes::{ChildBoxes, OrientedBox};
 use super::cones::Cones;
 use super::schedule::block_rows_per_task;
@@ -94,8 +94,8 @@ impl BoxLevel {
 
 impl Pyramid {
     /// Builds the index on the job's threads.
-    pub(crate) fn build<const N: usize>(cells: &impl Cells<N>, job: &Job<'_>) -> Result<Self> {
-        let [rows, columns] = cells.counts().map(|count| count.div_ceil(BLOCK));
+    pub(crate) fn build<const N: usize>(cells: &impl SheetCells<N>, job: &Job<'_>) -> Result<Self> {
+        let [rows, columns] = cells.cell_counts().map(|count| count.div_ceil(CELLS_PER_BLOCK_SIDE));
         let origin = middle(cells);
         let mut base = BoxLevel::new(rows, columns, true)?;
         let mut displacements = alloc::filled(PackedBox::default(), rows * columns)?;
@@ -106,7 +106,7 @@ impl Pyramid {
         par::map_cancellable(&job.part(0.0, 0.8), "index", parts, |(k, ((groups, oriented), displacements))| {
             let first = rows_together * k;
             let mut bounds = alloc::filled(Aabb::EMPTY, displacements.len())?;
-            cells.displacements(first..first + displacements.len() / columns, &mut bounds)?;
+            cells.fill_displacement_boxes(first..first + displacements.len() / columns, &mut bounds)?;
             let parts = oriented.chunks_mut(columns).zip(displacements.chunks_mut(columns)).zip(bounds.chunks(columns));
             for (r, ((oriented, displacements), bounds)) in parts.enumerate() {
                 let groups = &mut groups[r / 2 * across..][..across];
@@ -163,7 +163,7 @@ impl Pyramid {
 
     /// The cones, built at the first call. Two threads may build them at once, with equal bits. A
     /// thread does not wait for the other one, which may be its own caller.
-    pub(crate) fn cones<const N: usize>(&self, cells: &impl Cells<N>, job: &Job<'_>) -> Result<&Cones> {
+    pub(crate) fn cones<const N: usize>(&self, cells: &impl SheetCells<N>, job: &Job<'_>) -> Result<&Cones> {
         if let Some(cones) = self.cones.get() {
             return Ok(cones);
         }
@@ -187,15 +187,15 @@ impl Pyramid {
 }
 
 /// A point in the middle of the surface: the centre of the bounding box of some of its corners.
-fn middle<const N: usize>(cells: &impl Cells<N>) -> DVec3 {
-    let [rows, columns] = cells.counts();
+fn middle<const N: usize>(cells: &impl SheetCells<N>) -> DVec3 {
+    let [rows, columns] = cells.cell_counts();
     let places = (0..=8).flat_map(|k| (0..=8).map(move |n| (k * rows / 8, n * columns / 8)));
-    Aabb::from_points(places.map(|(i, j)| cells.corner(i, j))).centre()
+    Aabb::from_points(places.map(|(i, j)| cells.corner_point(i, j))).centre()
 }
 
 /// Builds the boxes of a row of blocks. `bounds` are the displacement boxes of its blocks.
 fn build_row<const N: usize>(
-    cells: &impl Cells<N>,
+    cells: &impl SheetCells<N>,
     row: usize,
     origin: DVec3,
     bounds: &[Aabb],
@@ -203,16 +203,16 @@ fn build_row<const N: usize>(
     oriented: &mut [OrientedBox],
     displacements: &mut [PackedBox],
 ) {
-    let [rows, columns] = cells.counts();
-    let (first, last) = (row * BLOCK, rows.min((row + 1) * BLOCK));
-    let mut points = [DVec3::ZERO; (BLOCK + 1) * (BLOCK + 1)];
+    let [rows, columns] = cells.cell_counts();
+    let (first, last) = (row * CELLS_PER_BLOCK_SIDE, rows.min((row + 1) * CELLS_PER_BLOCK_SIDE));
+    let mut points = [DVec3::ZERO; (CELLS_PER_BLOCK_SIDE + 1) * (CELLS_PER_BLOCK_SIDE + 1)];
     for (c, &displacement) in bounds.iter().enumerate() {
-        let (left, right) = (c * BLOCK, columns.min((c + 1) * BLOCK));
+        let (left, right) = (c * CELLS_PER_BLOCK_SIDE, columns.min((c + 1) * CELLS_PER_BLOCK_SIDE));
         let mut count = 0;
         let mut hull = Aabb::EMPTY;
         for i in first..=last {
             for j in left..=right {
-                points[count] = cells.corner(i, j) - origin;
+                points[count] = cells.corner_point(i, j) - origin;
                 hull.add(points[count]);
                 count += 1;
             }

@@ -121,7 +121,7 @@ impl Surface<'_> {
     fn find_on_curved_segment<const M: usize>(&self, k: usize, controls: &[DVec3], finder: &mut Finder) -> Result<()> {
         let part = CurvePart::whole(elevated_segment::<M>(controls));
         for sheet in 0..self.len() {
-            let (kind, index) = self.indexed(sheet);
+            let (kind, index) = self.sheet_and_index(sheet);
             each_sheet!(kind, cells => {
                 let search = CurveSearch { cells, index, sheet: sheet as u32, segment: k, tolerance: self.tolerance() };
                 search.run(&part, &mut finder.finds)

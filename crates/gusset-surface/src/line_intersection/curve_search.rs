@@ -2,7 +2,7 @@
 
 use super::line_search::MAX_RELATIVE_ROUNDING;
 use crate::Place;
-use crate::cells::{Cells, cells_of_block};
+use crate::cells::{SheetCells, cells_of_block};
 use crate::index::Pyramid;
 use crate::subdivision::{Crossings, CurveWorkspace, crossings};
 use glam::{DVec2, DVec3};
@@ -81,7 +81,7 @@ pub(super) struct CurveSearch<'a, C, const M: usize, const N: usize> {
     pub(super) tolerance: f64,
 }
 
-impl<C: Cells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
+impl<C: SheetCells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
     /// Adds the common points of the sheet and the segment.
     pub(super) fn run(&self, whole: &CurvePart<M>, finds: &mut Vec<CurveFind>) -> Result<()> {
         let origin = self.index.origin();
@@ -144,9 +144,9 @@ impl<C: Cells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
     ) -> Result<()> {
         let deviation = self.index.deviation(block[0], block[1]) + solver.rounding_error;
         let along = part.bounds();
-        for [i, j] in cells_of_block(block, self.cells.counts()) {
+        for [i, j] in cells_of_block(block, self.cells.cell_counts()) {
             let corners = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)];
-            let cell = Aabb::from_points(corners.map(|(i, j)| self.cells.corner(i, j) - self.index.origin()));
+            let cell = Aabb::from_points(corners.map(|(i, j)| self.cells.corner_point(i, j) - self.index.origin()));
             if cell.inflated(deviation).overlaps(&along) {
                 self.cell(part, [i, j], solver, finds)?;
             }
@@ -163,7 +163,7 @@ impl<C: Cells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> {
         finds: &mut Vec<CurveFind>,
     ) -> Result<()> {
         let origin = self.index.origin();
-        let patch = self.cells.patch(i, j);
+        let patch = self.cells.cell_patch(i, j);
         let mut local = patch;
         local.points.as_flattened_mut().iter_mut().for_each(|point| *point -= origin);
         let CurveSolver { workspace, found, rounding_error } = solver;

@@ -19,21 +19,21 @@ const MAX_TOUCH_SINE: f64 = 1e-2;
 impl Surface<'_> {
     /// Hits in different cells that are closer to each other than this are the same hit.
     pub(super) fn merge_distance(&self) -> f64 {
-        self.tolerance().max(1e-12 * self.diagonal())
+        self.tolerance().max(1e-12 * self.box_diagonal())
     }
 
     /// Length above which an unresolved hit is a run inside the surface. A line that touches a
     /// surface with radius of curvature R is within the tolerance e of it for sqrt(8 R e). The
     /// result is several times this length for the size of the whole surface.
     pub(super) fn longest_touch(&self) -> f64 {
-        8.0 * (self.merge_distance() * self.diagonal()).sqrt()
+        8.0 * (self.merge_distance() * self.box_diagonal()).sqrt()
     }
 
     /// True if a direction crosses the surface next to a place, away from the sides of its cell. An
     /// unresolved hit is then not a contact, but a place where parameters are not regular, such as
     /// a pole.
     pub(super) fn is_crossing(&self, place: Place, direction: DVec3) -> bool {
-        if !self.is_regular(place) {
+        if !self.is_regular_at(place) {
             return self.normal(place).dot(direction).abs() > 1e-4;
         }
         let inwards = |x: f64| x + 1e-3 * (0.5 - x).signum();

@@ -1,7 +1,7 @@
 //! The descent of the index for a line.
 
 use super::line::{Hit, HitSelection, Line};
-use crate::cells::{BLOCK, Cells};
+use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
 use crate::index::{OrientedBox, Pyramid, Slab};
 use crate::subdivision::{Crossings, CurveWorkspace, Roots, crossings, simple_roots};
 use crate::{Patch, Place};
@@ -114,7 +114,7 @@ impl LineSearch<'_> {
     /// cells. Otherwise, it searches as far as the first hit and hits that may be merged with it.
     pub(super) fn run<const N: usize>(
         &self,
-        cells: &impl Cells<N>,
+        cells: &impl SheetCells<N>,
         solver: &mut Solver<N>,
         hits: &mut Vec<Hit>,
     ) -> Result<()> {
@@ -190,16 +190,16 @@ struct LineLeaf<'a, C, const N: usize> {
     solver: &'a mut Solver<N>,
 }
 
-impl<C: Cells<N>, const N: usize> LineLeaf<'_, C, N> {
+impl<C: SheetCells<N>, const N: usize> LineLeaf<'_, C, N> {
     fn search(&mut self, row: usize, column: usize, hits: &mut Vec<Hit>) -> Result<()> {
-        let [rows, columns] = self.cells.counts();
-        let (first, last) = (row * BLOCK, rows.min((row + 1) * BLOCK));
-        let (left, right) = (column * BLOCK, columns.min((column + 1) * BLOCK));
+        let [rows, columns] = self.cells.cell_counts();
+        let (first, last) = (row * CELLS_PER_BLOCK_SIDE, rows.min((row + 1) * CELLS_PER_BLOCK_SIDE));
+        let (left, right) = (column * CELLS_PER_BLOCK_SIDE, columns.min((column + 1) * CELLS_PER_BLOCK_SIDE));
         let deviation = self.index.deviation(row, column) + self.ray.rounding_error;
-        let mut corners = [[DVec2::ZERO; BLOCK + 1]; BLOCK + 1];
+        let mut corners = [[DVec2::ZERO; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1];
         for i in first..=last {
             for j in left..=right {
-                let from = self.cells.corner(i, j) - self.ray.foot;
+                let from = self.cells.corner_point(i, j) - self.ray.foot;
                 corners[i - first][j - left] = DVec2::new(from.dot(self.ray.across[0]), from.dot(self.ray.across[1]));
             }
         }
@@ -215,7 +215,7 @@ impl<C: Cells<N>, const N: usize> LineLeaf<'_, C, N> {
     }
 
     fn cell(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
-        let fields = self.cells.planes(i, j, self.ray.foot, self.ray.across);
+        let fields = self.cells.coordinates_along(i, j, self.ray.foot, self.ray.across);
         if !simple_roots(fields, self.ray.rounding_error, self.tolerance, &mut self.solver.roots) {
             return self.search_as_curve(i, j, hits);
         }
@@ -223,14 +223,14 @@ impl<C: Cells<N>, const N: usize> LineLeaf<'_, C, N> {
         if roots.is_empty() {
             return Ok(());
         }
-        let patch = self.cells.patch(i, j);
+        let patch = self.cells.cell_patch(i, j);
         roots.iter().try_for_each(|&root| self.add(&patch, [i, j], root, None, hits))
     }
 
     /// Searches a cell in which the fields do not decide: treats the part of the line in the cell's
     /// box as a curve.
     fn search_as_curve(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
-        let patch = self.cells.patch(i, j);
+        let patch = self.cells.cell_patch(i, j);
         let Some(segment) = self.segment(&patch) else { return Ok(()) };
         let [start, end] = segment;
         let found = &mut self.solver.crossings;
@@ -287,7 +287,7 @@ impl<C: Cells<N>, const N: usize> LineLeaf<'_, C, N> {
             place,
             point: jet.point,
             // Where the patch is not regular, the sheet provides the limit later.
-            normal: jet.regular_normal(patch.noise()).unwrap_or(DVec3::ZERO),
+            normal: jet.unit_normal_if_regular(patch.derivative_noise()).unwrap_or(DVec3::ZERO),
             tangent,
             multiplicity: if tangent { 2 } else { 1 },
         };

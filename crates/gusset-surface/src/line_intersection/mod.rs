@@ -56,7 +56,7 @@ impl Surface<'_> {
     fn find_hits(&self, line: &Line, selection: HitSelection, workspace: &mut LineWorkspace) -> Result<()> {
         workspace.hits.clear();
         for k in 0..self.len() {
-            let (sheet, index) = self.indexed(k);
+            let (sheet, index) = self.sheet_and_index(k);
             let search = LineSearch { index, sheet: k as u32, line, selection, tolerance: self.tolerance() };
             let LineWorkspace { hits, cubic, high } = workspace;
             match sheet {

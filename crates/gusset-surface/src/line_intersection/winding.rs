@@ -59,7 +59,7 @@ impl Surface<'_> {
     /// True if a direction only touches the surface at a place next to a side, as far as the
     /// rounding of numbers up to `largest` allows.
     pub(super) fn is_touched(&self, place: Place, direction: DVec3, largest: f64) -> bool {
-        let (size, sine) = (self.diagonal(), self.normal(place).dot(direction).abs());
+        let (size, sine) = (self.box_diagonal(), self.normal(place).dot(direction).abs());
         let rounding_error = 64.0 * f64::EPSILON * largest.max(size);
         let tolerance = rounding_error / sine.max((rounding_error / size).sqrt());
         let on_side = self.on_side(place, tolerance);
@@ -71,7 +71,7 @@ impl Surface<'_> {
     fn is_pole(&self, place: Place, direction: usize) -> bool {
         let at = if direction == 0 { place.u } else { place.v };
         let [i, j] = place.cell.map(|k| k as usize);
-        (at == 0.0 || at == 1.0) && self.sheet(place.sheet as usize).side_is_point(direction, i, j, at == 1.0)
+        (at == 0.0 || at == 1.0) && self.sheet(place.sheet as usize).is_cell_side_point(direction, i, j, at == 1.0)
     }
 
     /// The cells of the sheet around a place on a side, each with its parameters of the place. At a
@@ -92,7 +92,7 @@ impl Surface<'_> {
             std::iter::once((cell, at)).chain(next)
         };
         let point = self.jet(place).point;
-        let is_here = |other: &Place| self.jet(*other).point.distance(point) <= 1e-12 * self.diagonal();
+        let is_here = |other: &Place| self.jet(*other).point.distance(point) <= 1e-12 * self.box_diagonal();
         let mut cells = Vec::new();
         for direction in 0..2 {
             if self.is_pole(place, direction) {

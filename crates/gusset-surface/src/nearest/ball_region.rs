@@ -7,7 +7,7 @@
 use super::block::blocks_within;
 use super::patch_search::{PartFrontier, nearest_on_patch};
 use super::query::check;
-use crate::cells::Cells;
+use crate::cells::SheetCells;
 use crate::index::Pyramid;
 use crate::{Patch, Surface, each_sheet};
 use glam::{DVec2, DVec3};
@@ -63,7 +63,7 @@ impl Surface<'_> {
         let ball = QueryBall { query, radius, tolerance: self.query_tolerance(query) };
         let mut cells_in_ball = Vec::new();
         for k in 0..self.len() {
-            let (sheet, index) = self.indexed(k);
+            let (sheet, index) = self.sheet_and_index(k);
             each_sheet!(sheet, cells => ball.collect(cells, index, k as u32, &mut cells_in_ball, job))?;
         }
         // The blocks were visited in another order.
@@ -95,7 +95,7 @@ impl QueryBall {
     /// Adds the cells of a sheet with a point in the ball, and whether the whole cell is in it.
     fn collect<const N: usize>(
         &self,
-        cells: &impl Cells<N>,
+        cells: &impl SheetCells<N>,
         index: &Pyramid,
         sheet: u32,
         found: &mut Vec<([u32; 3], bool)>,
@@ -107,7 +107,7 @@ impl QueryBall {
                 job.step(0.0, STAGE)?;
             }
             for [i, j] in block.cells(cells) {
-                let patch = cells.patch(i, j);
+                let patch = cells.cell_patch(i, j);
                 let whole = patch.max_distance(self.query) <= self.radius;
                 if whole || self.reaches(&patch, &mut workspace) {
                     alloc::push(found, ([sheet, i as u32, j as u32], whole))?;
@@ -119,7 +119,7 @@ impl QueryBall {
 
     /// True if a patch has a point in the ball, within the tolerance.
     fn reaches<const N: usize>(&self, patch: &Patch<N>, workspace: &mut PartFrontier<N>) -> bool {
-        let corners = patch.corners();
+        let corners = patch.corner_points();
         if corners.as_flattened().iter().any(|corner| corner.distance(self.query) <= self.radius) {
             return true;
         }

@@ -3,7 +3,7 @@
 //! The bound of a block is the larger of two distances: to its axis-aligned box, and to its
 //! oriented box. Both boxes contain the block.
 
-use crate::cells::{BLOCK, Cells, cells_of_block};
+use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells, cells_of_block};
 use crate::index::Pyramid;
 use glam::DVec3;
 
@@ -38,15 +38,18 @@ impl Block {
     }
 
     /// A cell in the middle of the block.
-    pub(super) fn middle<const N: usize>(&self, cells: &impl Cells<N>) -> [usize; 2] {
-        let at = |k: usize, count: usize| ((((2 * k + 1) * BLOCK) << self.level) / 2).min(count - 1);
-        let [rows, columns] = cells.counts();
+    pub(super) fn middle<const N: usize>(&self, cells: &impl SheetCells<N>) -> [usize; 2] {
+        let at = |k: usize, count: usize| ((((2 * k + 1) * CELLS_PER_BLOCK_SIDE) << self.level) / 2).min(count - 1);
+        let [rows, columns] = cells.cell_counts();
         [at(self.row, rows), at(self.column, columns)]
     }
 
     /// The cells of a block of the lowest level.
-    pub(super) fn cells<const N: usize, C: Cells<N>>(&self, cells: &C) -> impl Iterator<Item = [usize; 2]> + use<N, C> {
-        cells_of_block([self.row, self.column], cells.counts())
+    pub(super) fn cells<const N: usize, C: SheetCells<N>>(
+        &self,
+        cells: &C,
+    ) -> impl Iterator<Item = [usize; 2]> + use<N, C> {
+        cells_of_block([self.row, self.column], cells.cell_counts())
     }
 }
 

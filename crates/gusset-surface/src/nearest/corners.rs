@@ -5,7 +5,7 @@
 //! corners, reduced by the extent of the displacement box. All bounds are computed without
 //! branches, on arrays of fixed size, one axis after the other.
 
-use crate::cells::{BLOCK, Cells};
+use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
 use glam::DVec3;
 use gusset_base::geom::aabb::Aabb;
 
@@ -36,7 +36,7 @@ impl DisplacementBox {
 /// The corners of a block's cells relative to the query, stored by axis for vector instructions.
 /// The last corners repeat if the edge of the sheet cuts the block.
 pub(super) struct BlockCorners {
-    axes: [[[f64; BLOCK + 1]; BLOCK + 1]; 3],
+    axes: [[[f64; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1]; 3],
 }
 
 /// The smaller number. Unlike [`f64::min`], it ignores NaN rules and is a single instruction.
@@ -55,15 +55,15 @@ impl BlockCorners {
     /// Reads the corners of a block of cells, relative to `query`.
     #[inline(always)]
     pub(super) fn from_cells<const N: usize>(
-        cells: &impl Cells<N>,
+        cells: &impl SheetCells<N>,
         [top, left]: [usize; 2],
         [rows, columns]: [usize; 2],
         query: DVec3,
     ) -> BlockCorners {
-        let mut axes = [[[0.0; BLOCK + 1]; BLOCK + 1]; 3];
+        let mut axes = [[[0.0; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1]; 3];
         let [xs, ys, zs] = &mut axes;
         for (r, ((xs, ys), zs)) in xs.iter_mut().zip(ys).zip(zs).enumerate() {
-            let line = cells.line(top + r.min(rows), left, columns);
+            let line = cells.corner_row(top + r.min(rows), left, columns);
             for (c, [x, y, z]) in line.into_iter().enumerate() {
                 (xs[c], ys[c], zs[c]) = (x - query.x, y - query.y, z - query.z);
             }
@@ -81,7 +81,7 @@ impl BlockCorners {
     /// The distance from the first corner to the last.
     #[inline(always)]
     pub(super) fn extent(&self) -> f64 {
-        let [x, y, z] = self.axes.each_ref().map(|axis| axis[BLOCK][BLOCK] - axis[0][0]);
+        let [x, y, z] = self.axes.each_ref().map(|axis| axis[CELLS_PER_BLOCK_SIDE][CELLS_PER_BLOCK_SIDE] - axis[0][0]);
         (x * x + y * y + z * z).sqrt()
     }
 
@@ -89,17 +89,21 @@ impl BlockCorners {
     /// towards the query. `displacement` bounds how far the surface extends beyond the bilinear
     /// patches along it.
     #[inline(always)]
-    pub(super) fn half_spaces(&self, direction: DVec3, displacement: f64) -> [[f64; BLOCK]; BLOCK] {
+    pub(super) fn half_spaces(
+        &self,
+        direction: DVec3,
+        displacement: f64,
+    ) -> [[f64; CELLS_PER_BLOCK_SIDE]; CELLS_PER_BLOCK_SIDE] {
         let [x, y, z] = &self.axes;
-        let mut along = [[0.0; BLOCK + 1]; BLOCK + 1];
-        for r in 0..=BLOCK {
-            for c in 0..=BLOCK {
+        let mut along = [[0.0; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1];
+        for r in 0..=CELLS_PER_BLOCK_SIDE {
+            for c in 0..=CELLS_PER_BLOCK_SIDE {
                 along[r][c] = x[r][c] * direction.x + y[r][c] * direction.y + z[r][c] * direction.z;
             }
         }
-        let mut bounds = [[0.0; BLOCK]; BLOCK];
-        for r in 0..BLOCK {
-            for c in 0..BLOCK {
+        let mut bounds = [[0.0; CELLS_PER_BLOCK_SIDE]; CELLS_PER_BLOCK_SIDE];
+        for r in 0..CELLS_PER_BLOCK_SIDE {
+            for c in 0..CELLS_PER_BLOCK_SIDE {
                 let most = max(max(along[r][c], along[r][c + 1]), max(along[r + 1][c], along[r + 1][c + 1]));
                 bounds[r][c] = -most - displacement;
             }
@@ -111,8 +115,8 @@ impl BlockCorners {
     #[inline(always)]
     pub(super) fn min_square(&self) -> f64 {
         let [x, y, z] = &self.axes;
-        let mut least = [f64::INFINITY; BLOCK + 1];
-        for r in 0..=BLOCK {
+        let mut least = [f64::INFINITY; CELLS_PER_BLOCK_SIDE + 1];
+        for r in 0..=CELLS_PER_BLOCK_SIDE {
             for (c, least) in least.iter_mut().enumerate() {
                 *least = min(*least, x[r][c] * x[r][c] + y[r][c] * y[r][c] + z[r][c] * z[r][c]);
             }
@@ -122,11 +126,11 @@ impl BlockCorners {
 
     /// For each cell, 16 times the squared distance of the mean of its corners.
     #[inline(always)]
-    pub(super) fn middle_squares(&self) -> [[f64; BLOCK]; BLOCK] {
-        let mut squares = [[0.0; BLOCK]; BLOCK];
+    pub(super) fn middle_squares(&self) -> [[f64; CELLS_PER_BLOCK_SIDE]; CELLS_PER_BLOCK_SIDE] {
+        let mut squares = [[0.0; CELLS_PER_BLOCK_SIDE]; CELLS_PER_BLOCK_SIDE];
         for axis in &self.axes {
-            for r in 0..BLOCK {
-                for c in 0..BLOCK {
+            for r in 0..CELLS_PER_BLOCK_SIDE {
+                for c in 0..CELLS_PER_BLOCK_SIDE {
                     let sum = (axis[r][c] + axis[r][c + 1]) + (axis[r + 1][c] + axis[r + 1][c + 1]);
                     squares[r][c] += sum * sum;
                 }
@@ -138,18 +142,24 @@ impl BlockCorners {
     /// The squared distances of boxes around the cells. A box contains the corners, and is enlarged
     /// by the displacement box.
     #[inline(always)]
-    pub(super) fn box_squares(&self, displacement: &DisplacementBox) -> [[f64; BLOCK]; BLOCK] {
-        let mut squares = [[0.0; BLOCK]; BLOCK];
+    pub(super) fn box_squares(
+        &self,
+        displacement: &DisplacementBox,
+    ) -> [[f64; CELLS_PER_BLOCK_SIDE]; CELLS_PER_BLOCK_SIDE] {
+        let mut squares = [[0.0; CELLS_PER_BLOCK_SIDE]; CELLS_PER_BLOCK_SIDE];
         for (k, axis) in self.axes.iter().enumerate() {
-            let (mut low, mut high) = ([[0.0; BLOCK]; BLOCK + 1], [[0.0; BLOCK]; BLOCK + 1]);
-            for r in 0..=BLOCK {
-                for c in 0..BLOCK {
+            let (mut low, mut high) = (
+                [[0.0; CELLS_PER_BLOCK_SIDE]; CELLS_PER_BLOCK_SIDE + 1],
+                [[0.0; CELLS_PER_BLOCK_SIDE]; CELLS_PER_BLOCK_SIDE + 1],
+            );
+            for r in 0..=CELLS_PER_BLOCK_SIDE {
+                for c in 0..CELLS_PER_BLOCK_SIDE {
                     low[r][c] = min(axis[r][c], axis[r][c + 1]);
                     high[r][c] = max(axis[r][c], axis[r][c + 1]);
                 }
             }
-            for r in 0..BLOCK {
-                for c in 0..BLOCK {
+            for r in 0..CELLS_PER_BLOCK_SIDE {
+                for c in 0..CELLS_PER_BLOCK_SIDE {
                     let (low, high) = (min(low[r][c], low[r + 1][c]), max(high[r][c], high[r + 1][c]));
                     let outside = max(max(low + displacement.low[k], -high - displacement.high[k]), 0.0);
                     squares[r][c] += outside * outside;

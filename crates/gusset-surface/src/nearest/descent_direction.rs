@@ -25,7 +25,8 @@ pub(super) fn has_descent_direction<const N: usize>(patch: &Patch<N>, query: DVe
     let foot = Foot::from_place(patch, query, DVec2::new(snapped(place.x), snapped(place.y)));
     let (u, v) = (foot.jet.u, foot.jet.v);
     // On a fold, a point hardly determines its parameters.
-    let is_fold = |along: DVec3, bend: DVec3| along.length_squared() <= patch.noise().powi(2) + moved * bend.length();
+    let is_fold =
+        |along: DVec3, bend: DVec3| along.length_squared() <= patch.derivative_noise().powi(2) + moved * bend.length();
     let are_parallel = u.cross(v).length() <= RELATIVE_ROUNDING * u.length() * v.length();
     if is_fold(u, foot.jet.uu) || is_fold(v, foot.jet.vv) || are_parallel {
         let lowest = minimise(patch, query, foot.place, MAX_STEPS);

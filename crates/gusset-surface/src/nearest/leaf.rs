@@ -8,7 +8,7 @@
 
 use super::corners::{BlockCorners, DisplacementBox, min};
 use super::incumbent::UpperBound;
-use crate::cells::{BLOCK, Cells};
+use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
 use crate::index::Pyramid;
 use glam::{DVec2, DVec3};
 
@@ -32,7 +32,7 @@ pub(super) struct BlockLeaf<'a, C, const N: usize> {
     pub(super) column: usize,
 }
 
-impl<C: Cells<N>, const N: usize> BlockLeaf<'_, C, N> {
+impl<C: SheetCells<N>, const N: usize> BlockLeaf<'_, C, N> {
     /// Lowers the upper bound, and adds the cells that may contain the nearest point to the
     /// candidates. `direction` is the unit vector from the nearest answer to the query, or zero.
     /// Returns the block's extent.
@@ -43,15 +43,15 @@ impl<C: Cells<N>, const N: usize> BlockLeaf<'_, C, N> {
         upper: &mut UpperBound,
         candidates: &mut Vec<CellCandidate>,
     ) -> f64 {
-        let [rows, columns] = self.cells.counts();
-        let (top, left) = (self.row * BLOCK, self.column * BLOCK);
-        let (rows, columns) = (BLOCK.min(rows - top), BLOCK.min(columns - left));
+        let [rows, columns] = self.cells.cell_counts();
+        let (top, left) = (self.row * CELLS_PER_BLOCK_SIDE, self.column * CELLS_PER_BLOCK_SIDE);
+        let (rows, columns) = (CELLS_PER_BLOCK_SIDE.min(rows - top), CELLS_PER_BLOCK_SIDE.min(columns - left));
         let corners = BlockCorners::from_cells(self.cells, [top, left], [rows, columns], query);
         upper.lower(corners.min_square().sqrt());
         let displacement = DisplacementBox::new(self.index.displacement(self.row, self.column));
         let prune_bound = upper.prune_bound();
         // The half-space through the nearest answer.
-        let mut bounds = [[0.0; BLOCK]; BLOCK];
+        let mut bounds = [[0.0; CELLS_PER_BLOCK_SIDE]; CELLS_PER_BLOCK_SIDE];
         if direction != DVec3::ZERO {
             bounds = corners.half_spaces(direction, displacement.extent_along(direction));
             let least = bounds.as_flattened().iter().copied().fold(f64::INFINITY, min);
@@ -62,7 +62,7 @@ impl<C: Cells<N>, const N: usize> BlockLeaf<'_, C, N> {
         let squares = corners.box_squares(&displacement);
         let middles = corners.middle_squares();
         // The remaining cells, sorted by the distance of their middle.
-        let mut order = [0_u8; BLOCK * BLOCK];
+        let mut order = [0_u8; CELLS_PER_BLOCK_SIDE * CELLS_PER_BLOCK_SIDE];
         let mut count = 0;
         for (r, bounds) in bounds[..rows].iter().enumerate() {
             for (c, &bound) in bounds[..columns].iter().enumerate() {
@@ -74,12 +74,12 @@ impl<C: Cells<N>, const N: usize> BlockLeaf<'_, C, N> {
                     order[at] = order[at - 1];
                     at -= 1;
                 }
-                order[at] = (BLOCK * r + c) as u8;
+                order[at] = (CELLS_PER_BLOCK_SIDE * r + c) as u8;
                 count += 1;
             }
         }
         for &cell in &order[..count] {
-            let (r, c) = (usize::from(cell) / BLOCK, usize::from(cell) % BLOCK);
+            let (r, c) = (usize::from(cell) / CELLS_PER_BLOCK_SIDE, usize::from(cell) % CELLS_PER_BLOCK_SIDE);
             if squares[r][c] > upper.prune_bound() * upper.prune_bound() {
                 continue;
             }

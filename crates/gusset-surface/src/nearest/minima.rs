@@ -12,7 +12,7 @@ use super::nearest_search::cells_around;
 use super::patch_minima::{LocalMinimum, interior_minima, side_minima};
 use super::patch_search::{PartFrontier, nearest_on_patch};
 use super::query::check;
-use crate::cells::Cells;
+use crate::cells::SheetCells;
 use crate::frontier::{BranchAndBound, Frontier};
 use crate::{Place, Surface, each_sheet};
 use glam::{DVec2, DVec3};
@@ -78,9 +78,9 @@ impl Surface<'_> {
             job,
         };
         for sheet in 0..self.len() {
-            search.push_block(sheet, Block::root(self.indexed(sheet).1))?;
+            search.push_block(sheet, Block::root(self.sheet_and_index(sheet).1))?;
         }
-        let bound = search.run()?.unwrap_or(limit);
+        let bound = search.search_best_first()?.unwrap_or(limit);
         search.end(bound, self.closest(query, limit))
     }
 }
@@ -102,21 +102,21 @@ struct MinimaSearch<'a> {
 }
 
 impl BranchAndBound for MinimaSearch<'_> {
-    type Task = (usize, Block);
-    type Key = [usize; 4];
-    type Stop = Error;
+    type SearchTask = (usize, Block);
+    type TieBreakKey = [usize; 4];
+    type StopReason = Error;
 
     fn frontier(&mut self) -> &mut Frontier<(usize, Block), [usize; 4]> {
         &mut self.frontier
     }
 
-    fn is_wanted(&mut self, bound: f64) -> bool {
+    fn is_bound_wanted(&mut self, bound: f64) -> bool {
         bound <= self.prune_bound() && self.undecided.len() <= MAX_UNDECIDED
     }
 
-    fn branch(&mut self, _: f64, (sheet, block): (usize, Block)) -> Result<()> {
+    fn branch_task(&mut self, _: f64, (sheet, block): (usize, Block)) -> Result<()> {
         self.tick()?;
-        let (cells, index) = self.surface.indexed(sheet);
+        let (cells, index) = self.surface.sheet_and_index(sheet);
         if block.level == 0 {
             return each_sheet!(cells, cells => self.search_block(cells, &block, sheet));
         }
@@ -147,16 +147,16 @@ impl MinimaSearch<'_> {
         self.limit.min(last + self.tolerance)
     }
 
-    fn search_block<const N: usize>(&mut self, cells: &impl Cells<N>, block: &Block, sheet: usize) -> Result<()> {
+    fn search_block<const N: usize>(&mut self, cells: &impl SheetCells<N>, block: &Block, sheet: usize) -> Result<()> {
         for cell in block.cells(cells) {
             self.tick()?;
-            let patch = cells.patch(cell[0], cell[1]);
+            let patch = cells.cell_patch(cell[0], cell[1]);
             if patch.box_distance(self.query) > self.limit {
                 continue;
             }
             let mut minima = Vec::new();
             interior_minima(&patch, self.query, self.tolerance, |minimum| minima.push(minimum));
-            if !cells.is_smooth_around(cell[0], cell[1]) {
+            if !cells.is_smooth_around_cell(cell[0], cell[1]) {
                 side_minima(&patch, self.query, |minimum| minima.push(minimum));
             }
             for minimum in minima {
@@ -189,16 +189,16 @@ impl MinimaSearch<'_> {
             return true;
         }
         (0..self.surface.len()).all(|sheet| {
-            let (cells, index) = self.surface.indexed(sheet);
+            let (cells, index) = self.surface.sheet_and_index(sheet);
             let mut blocks = blocks_within(index, minimum.point, self.tolerance);
             each_sheet!(cells, cells => blocks.all(|block| self.is_minimum_in(cells, &block, minimum)))
         })
     }
 
-    fn is_minimum_in<const N: usize>(&self, cells: &impl Cells<N>, block: &Block, minimum: &LocalMinimum) -> bool {
+    fn is_minimum_in<const N: usize>(&self, cells: &impl SheetCells<N>, block: &Block, minimum: &LocalMinimum) -> bool {
         let mut workspace = PartFrontier::default();
         block.cells(cells).all(|[i, j]| {
-            let (patch, start) = (cells.patch(i, j), DVec2::splat(0.5));
+            let (patch, start) = (cells.cell_patch(i, j), DVec2::splat(0.5));
             if patch.box_distance(minimum.point) > self.tolerance {
                 return true;
             }
@@ -270,7 +270,7 @@ fn merge_adjacent(undecided: &mut Vec<FoundMinimum>, surface: &Surface<'_>) -> R
     for k in 0..undecided.len() {
         let FoundMinimum { sheet, cell, .. } = undecided[k];
         let of = surface.sheet(sheet);
-        for next in cells_around(of.cells(), of.seams(), cell) {
+        for next in cells_around(of.cells(), of.has_exact_seams(), cell) {
             if let Ok(other) = undecided.binary_search_by_key(&(sheet, next), |other| (other.sheet, other.cell)) {
                 groups.union(k as u32, other as u32);
             }

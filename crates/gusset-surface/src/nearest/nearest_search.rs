@@ -19,7 +19,7 @@ use super::foot::{Foot, MAX_STEPS, MAX_STEPS_ON_PART, minimise};
 use super::incumbent::{Answer, Incumbent};
 use super::leaf::{BlockLeaf, CellCandidate};
 use super::part::PatchPart;
-use crate::cells::Cells;
+use crate::cells::SheetCells;
 use crate::frontier::{BranchAndBound, Frontier};
 use crate::index::{OrientedBox, Pyramid};
 use crate::{Patch, Surface, each_sheet};
@@ -158,7 +158,7 @@ impl NearestSearch {
 
     /// Searches a sheet depth first, the nearest children first. A long search moves the rest to
     /// the frontier.
-    fn search_sheet<const N: usize>(&mut self, cells: &impl Cells<N>, index: &Pyramid, sheet: u32) {
+    fn search_sheet<const N: usize>(&mut self, cells: &impl SheetCells<N>, index: &Pyramid, sheet: u32) {
         let query = SinglePrecisionQuery::new(index, self.incumbent.query);
         let levels = index.levels();
         let mut stack = std::mem::take(&mut self.stack);
@@ -216,14 +216,14 @@ impl NearestSearch {
 
     /// Adds a block's candidates. Returns the block's extent.
     #[inline(always)]
-    fn search_leaf<const N: usize>(&mut self, leaf: &BlockLeaf<'_, impl Cells<N>, N>) -> f64 {
+    fn search_leaf<const N: usize>(&mut self, leaf: &BlockLeaf<'_, impl SheetCells<N>, N>) -> f64 {
         self.blocks += 1;
         let (query, direction) = (self.incumbent.query, self.incumbent.direction);
         leaf.find_candidates(query, direction, &mut self.incumbent.upper, &mut self.candidates)
     }
 
     /// Examines the candidates of a sheet by rising lower bounds.
-    fn examine_candidates<const N: usize>(&mut self, cells: &impl Cells<N>, sheet: u32) {
+    fn examine_candidates<const N: usize>(&mut self, cells: &impl SheetCells<N>, sheet: u32) {
         let mut candidates = std::mem::take(&mut self.candidates);
         candidates.sort_unstable_by(|a, b| a.bound.total_cmp(&b.bound).then_with(|| a.cell.cmp(&b.cell)));
         for &CellCandidate { bound, direction, start, cell } in &candidates {
@@ -232,7 +232,7 @@ impl NearestSearch {
                 // All following candidates are beyond the limit too.
                 break;
             }
-            let patch = cells.patch(cell[0] as usize, cell[1] as usize);
+            let patch = cells.cell_patch(cell[0] as usize, cell[1] as usize);
             let is_beyond = |direction: DVec3| patch.half_space_distance(self.incumbent.query, direction) > limit;
             if !is_beyond(direction) && !is_beyond(self.incumbent.direction) {
                 self.examine(&CellPatch { patch: &patch, sheet, cell }, start);
@@ -243,8 +243,14 @@ impl NearestSearch {
     }
 
     /// Examines the patch over a cell. `start` is close to its nearest point.
-    fn examine_cell<const N: usize>(&mut self, cells: &impl Cells<N>, sheet: u32, [i, j]: [usize; 2], start: DVec2) {
-        self.examine(&CellPatch { patch: &cells.patch(i, j), sheet, cell: [i as u32, j as u32] }, start);
+    fn examine_cell<const N: usize>(
+        &mut self,
+        cells: &impl SheetCells<N>,
+        sheet: u32,
+        [i, j]: [usize; 2],
+        start: DVec2,
+    ) {
+        self.examine(&CellPatch { patch: &cells.cell_patch(i, j), sheet, cell: [i as u32, j as u32] }, start);
     }
 
     fn examine<const N: usize>(&mut self, at: &CellPatch<'_, N>, start: DVec2) {
@@ -288,7 +294,7 @@ impl NearestSearch {
         if self.incumbent.is_gain(distance) {
             self.evaluations_at_gain = self.evaluations;
         }
-        let normal = jet.regular_normal(at.patch.noise()).unwrap_or_default();
+        let normal = jet.unit_normal_if_regular(at.patch.derivative_noise()).unwrap_or_default();
         let (sheet, cell) = (at.sheet, at.cell);
         self.incumbent.add(Answer { point: jet.point, normal, distance, sheet, cell, parameters: place });
     }
@@ -305,7 +311,7 @@ impl NearestSearch {
     /// Opens a task of a sheet. Its parts may become waiting tasks.
     fn open_task<const N: usize>(
         &mut self,
-        cells: &impl Cells<N>,
+        cells: &impl SheetCells<N>,
         index: &Pyramid,
         sheet: u32,
         bound: f64,
@@ -328,14 +334,14 @@ impl NearestSearch {
                 for child in block.children(index, query).into_iter().flatten() {
                     self.push_task(child.bound.max(bound), sheet, NearestTask::Block(child));
                     let cell = child.middle(cells);
-                    if self.incumbent.is_gain(cells.corner(cell[0], cell[1]).distance(query)) {
+                    if self.incumbent.is_gain(cells.corner_point(cell[0], cell[1]).distance(query)) {
                         self.examine_cell(cells, sheet, cell, DVec2::ZERO);
                     }
                 }
             }
             NearestTask::Cell { cell, start } => self.examine_cell(cells, sheet, cell.map(|k| k as usize), start),
             NearestTask::Part { cell, from, size } => {
-                let patch = cells.patch(cell[0] as usize, cell[1] as usize);
+                let patch = cells.cell_patch(cell[0] as usize, cell[1] as usize);
                 let at = CellPatch { patch: &patch, sheet, cell };
                 let part = PatchPart::from_range(&patch, from, size, bound);
                 part.split(|part| self.examine_part(&at, &part.with_cheap_bounds(query)));
@@ -345,10 +351,10 @@ impl NearestSearch {
 
     /// Descends from the nearest answer across cells, because a search that ends without proof may
     /// have stopped short of the minimum.
-    fn descend_across_cells<const N: usize>(&mut self, cells: &impl Cells<N>, closed: [bool; 2]) {
+    fn descend_across_cells<const N: usize>(&mut self, cells: &impl SheetCells<N>, closed: [bool; 2]) {
         for _ in 0..MAX_CELL_STEPS {
             let Some(best) = self.incumbent.best else { return };
-            for cell in cells_around(cells.counts(), closed, best.cell.map(|k| k as usize)) {
+            for cell in cells_around(cells.cell_counts(), closed, best.cell.map(|k| k as usize)) {
                 self.examine_cell(cells, best.sheet, cell, DVec2::splat(0.5));
             }
             if self.incumbent.distance() >= best.distance - self.incumbent.tolerance {
@@ -384,10 +390,10 @@ impl SurfaceSearch<'_> {
         let SurfaceSearch { surface, search } = self;
         search.begin(query, limit, tolerance);
         for k in sheets_by_distance(surface, query) {
-            let (sheet, index) = surface.indexed(k);
+            let (sheet, index) = surface.sheet_and_index(k);
             each_sheet!(sheet, cells => search.search_sheet(cells, index, k as u32));
         }
-        let Ok(left) = self.run();
+        let Ok(left) = self.search_best_first();
         let SurfaceSearch { surface, search } = self;
         left.into_iter().for_each(|bound| search.settle(bound));
         if let Some(best) = search.incumbent.best.filter(|best| search.settled < best.distance - tolerance) {
@@ -398,21 +404,21 @@ impl SurfaceSearch<'_> {
 }
 
 impl BranchAndBound for SurfaceSearch<'_> {
-    type Task = (u32, NearestTask);
-    type Key = ();
-    type Stop = Infallible;
+    type SearchTask = (u32, NearestTask);
+    type TieBreakKey = ();
+    type StopReason = Infallible;
 
     fn frontier(&mut self) -> &mut Frontier<(u32, NearestTask)> {
         &mut self.search.frontier
     }
 
-    fn is_wanted(&mut self, bound: f64) -> bool {
+    fn is_bound_wanted(&mut self, bound: f64) -> bool {
         bound <= self.search.prune_bound() && !self.search.is_exhausted(bound)
     }
 
-    fn branch(&mut self, bound: f64, (sheet, task): (u32, NearestTask)) -> Result<(), Infallible> {
+    fn branch_task(&mut self, bound: f64, (sheet, task): (u32, NearestTask)) -> Result<(), Infallible> {
         self.search.evaluations += 1;
-        let (cells, index) = self.surface.indexed(sheet as usize);
+        let (cells, index) = self.surface.sheet_and_index(sheet as usize);
         each_sheet!(cells, cells => self.search.open_task(cells, index, sheet, bound, task));
         Ok(())
     }
@@ -423,7 +429,7 @@ fn sheets_by_distance(surface: &Surface<'_>, query: DVec3) -> impl Iterator<Item
     let first = if surface.len() == 1 {
         0
     } else {
-        let distance = |k: usize| surface.indexed(k).1.bounds().distance_squared(query);
+        let distance = |k: usize| surface.sheet_and_index(k).1.bounds().distance_squared(query);
         (0..surface.len()).map(|k| (distance(k), k)).fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a }).1
     };
     std::iter::once(first).chain((0..surface.len()).filter(move |&k| k != first))

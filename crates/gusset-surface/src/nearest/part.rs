@@ -65,7 +65,7 @@ impl<const N: usize> PatchPart<N> {
     /// Raises the bound to the bounds that need no descent: the distance of the box, and of the
     /// half-space through the middle.
     pub(super) fn with_cheap_bounds(mut self, query: DVec3) -> PatchPart<N> {
-        let [[a, b], [c, d]] = self.patch.corners();
+        let [[a, b], [c, d]] = self.patch.corner_points();
         let direction = (4.0 * query - (a + b + c + d)).normalize_or_zero();
         let bound = self.patch.box_distance(query).max(self.patch.half_space_distance(query, direction));
         self.bound = self.bound.max(bound);

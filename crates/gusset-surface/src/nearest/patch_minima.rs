@@ -60,7 +60,7 @@ pub(super) fn interior_minima<const N: usize>(
     }
     let mut parts = vec![PatchPart::whole(patch)];
     let mut examined = 0;
-    let most = if patch.has_no_area() { MAX_PARTS_WITHOUT_AREA } else { MAX_PARTS };
+    let most = if patch.has_zero_area() { MAX_PARTS_WITHOUT_AREA } else { MAX_PARTS };
     let mut undecided: Option<LocalMinimum> = None;
     while let Some(part) = parts.pop() {
         if !may_be_stationary(&part.patch, query) {
@@ -69,7 +69,7 @@ pub(super) fn interior_minima<const N: usize>(
         examined += 1;
         let foot = minimise(&part.patch, query, DVec2::splat(0.5), MAX_STEPS);
         let hessian = part.patch.hessian_range(query, &foot);
-        let noise = part.patch.noise();
+        let noise = part.patch.derivative_noise();
         let speed = foot.jet.u.length() + foot.jet.v.length();
         if hessian.is_nowhere_definite(noise * (foot.distance + speed + noise)) {
             continue;
@@ -120,7 +120,7 @@ fn is_stationary<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3) ->
 /// term vanishes there too.
 pub(super) fn slope_rounding<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3, step: f64) -> DVec2 {
     let size = foot.jet.point.abs().max(query.abs()).max_element();
-    let noise = patch.noise();
+    let noise = patch.derivative_noise();
     let of = |along: DVec3, bend: DVec3| {
         let rounding = 64.0 * f64::EPSILON * size * along.length() + foot.distance * noise;
         rounding + step * (along.length_squared() + (foot.jet.point - query).dot(bend).abs())
@@ -147,7 +147,7 @@ fn may_be_stationary<const N: usize>(patch: &Patch<N>, query: DVec3) -> bool {
         row.iter().zip(next).for_each(|(from, to)| add(0, *to - *from));
     }
     p.iter().flat_map(|row| row.windows(2)).for_each(|pair| add(1, pair[1] - pair[0]));
-    let noise = from.length() * patch.noise();
+    let noise = from.length() * patch.derivative_noise();
     (0..2).all(|k| {
         let slack = radius * longest[k].sqrt() * (1.0 + 1e-9) + noise + f64::MIN_POSITIVE;
         ranges[k][0] <= slack && ranges[k][1] >= -slack

@@ -74,7 +74,7 @@ impl<const N: usize> PatchSearch<'_, N> {
     fn search(mut self) -> Option<NearestOnPatch> {
         self.frontier.clear();
         self.split(&PatchPart::whole(self.patch));
-        let Ok(left) = self.run();
+        let Ok(left) = self.search_best_first();
         let bound = self.proven.min(left.unwrap_or(f64::INFINITY));
         (bound <= self.limit).then(|| NearestOnPatch::new(&self.best, bound))
     }
@@ -92,19 +92,19 @@ impl<const N: usize> PatchSearch<'_, N> {
 }
 
 impl<const N: usize> BranchAndBound for PatchSearch<'_, N> {
-    type Task = PatchPart<N>;
-    type Key = u32;
-    type Stop = Infallible;
+    type SearchTask = PatchPart<N>;
+    type TieBreakKey = u32;
+    type StopReason = Infallible;
 
     fn frontier(&mut self) -> &mut PartFrontier<N> {
         self.frontier
     }
 
-    fn is_wanted(&mut self, bound: f64) -> bool {
+    fn is_bound_wanted(&mut self, bound: f64) -> bool {
         bound.min(self.proven) <= self.limit && bound < self.best.distance - self.tolerance && self.examined < MAX_PARTS
     }
 
-    fn branch(&mut self, bound: f64, part: PatchPart<N>) -> Result<(), Infallible> {
+    fn branch_task(&mut self, bound: f64, part: PatchPart<N>) -> Result<(), Infallible> {
         self.examined += 1;
         let local = minimise(&part.patch, self.query, DVec2::splat(0.5), MAX_STEPS_ON_PART);
         if local.distance < self.best.distance {

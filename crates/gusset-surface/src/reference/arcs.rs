@@ -13,7 +13,7 @@ use super::figure::Figure;
 use super::normal_variation::AngleTarget;
 use super::reference_search::{SearchOptions, SearchOutcome, search};
 use super::sizes::{ROUNDING_FACTOR, Sizes};
-use crate::normal::angle;
+use crate::normal::angle_between_unit_vectors;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -118,6 +118,6 @@ fn turn(controls: &[DVec3], ends: [DVec3; 2]) -> f64 {
     if legs().any(|leg| leg.length() <= 1e-13 * longest) || ends.contains(&DVec3::ZERO) {
         return PI;
     }
-    let half = legs().chain(ends).map(|leg| angle(axis, leg)).fold(0.0, f64::max);
+    let half = legs().chain(ends).map(|leg| angle_between_unit_vectors(axis, leg)).fold(0.0, f64::max);
     if half < 0.5 * PI { (2.0 * half + ANGLE_ROUNDING).min(PI) } else { PI }
 }

@@ -6,7 +6,7 @@
 //! singular value of the mean of (S_u, S_v), less the deviation of both from their means.
 //! Parameters are scaled so that the means have length 1.
 
-use crate::cells::{Cells, by_cell};
+use crate::cells::{SheetCells, compute_by_cell};
 use crate::{Patch, Sheet, each_sheet};
 use glam::DVec3;
 use gusset_base::error::Result;
@@ -21,9 +21,8 @@ const MAX_HALVINGS: u32 = 5;
 /// # Errors
 /// [`gusset_base::Error::OutOfMemory`], [`gusset_base::Error::Cancelled`].
 pub fn curvature_bound(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<f64> {
-    let of_cell =
-        |[i, j]: [usize; 2]| each_sheet!(sheet, cells => Cells::patch(cells, i, j).curvature_bound(MAX_HALVINGS));
-    Ok(by_cell(sheet.cells(), "cells", job, of_cell)?.into_iter().fold(0.0, f64::max))
+    let of_cell = |[i, j]: [usize; 2]| each_sheet!(sheet, cells => SheetCells::cell_patch(cells, i, j).curvature_bound(MAX_HALVINGS));
+    Ok(compute_by_cell(sheet.cells(), "cells", job, of_cell)?.into_iter().fold(0.0, f64::max))
 }
 
 impl<const N: usize> Patch<N> {

@@ -13,7 +13,7 @@
 
 use super::cell_lattice::Lattice;
 use super::sizes::{ROUNDING_FACTOR, Sizes};
-use crate::cells::{Cells, by_cell};
+use crate::cells::{SheetCells, compute_by_cell};
 use crate::{Patch, Sheet, each_sheet};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -36,7 +36,7 @@ impl Diameters {
     /// [`gusset_base::Error::OutOfMemory`], [`gusset_base::Error::Cancelled`].
     pub fn new(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Self> {
         let lattice = Lattice::new(sheet);
-        let both = by_cell(
+        let both = compute_by_cell(
             lattice.cells,
             "cells",
             job,
@@ -48,10 +48,10 @@ impl Diameters {
 }
 
 /// The Euclidean and the intrinsic diameter of a cell.
-fn cell_diameters<const N: usize>(cells: &impl Cells<N>, lattice: Lattice, [i, j]: [usize; 2]) -> [f64; 2] {
-    let patch = cells.patch(i, j);
-    let seen = lattice.corners([i, j]).map(|[i, j]| cells.corner(i, j));
-    let [[a, b], [c, d]] = patch.corners();
+fn cell_diameters<const N: usize>(cells: &impl SheetCells<N>, lattice: Lattice, [i, j]: [usize; 2]) -> [f64; 2] {
+    let patch = cells.cell_patch(i, j);
+    let seen = lattice.corners([i, j]).map(|[i, j]| cells.corner_point(i, j));
+    let [[a, b], [c, d]] = patch.corner_points();
     let gap = [a, b, c, d].into_iter().zip(seen).map(|(own, seen)| own.distance(seen)).fold(0.0, f64::max);
     let intrinsic = patch.intrinsic_diameter();
     [patch.euclidean_diameter(&seen).min(intrinsic + 2.0 * gap), intrinsic].map(|bound| bound * ROUNDING_FACTOR)

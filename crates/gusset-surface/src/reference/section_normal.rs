@@ -7,7 +7,7 @@
 //! derivative of a cubic through four points.
 
 use super::cell_lattice::Lattice;
-use crate::cells::Cells;
+use crate::cells::SheetCells;
 use crate::{Sheet, each_sheet};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
@@ -68,7 +68,7 @@ impl Section {
     /// around a cell.
     fn slope<const N: usize>(
         &self,
-        cells: &impl Cells<N>,
+        cells: &impl SheetCells<N>,
         lattice: Lattice,
         direction: usize,
         cell: [usize; 2],
@@ -94,7 +94,7 @@ impl Section {
     /// The point where the plane crosses a line of the surface close to place `at` on it.
     fn crossing<const N: usize>(
         &self,
-        cells: &impl Cells<N>,
+        cells: &impl SheetCells<N>,
         lattice: Lattice,
         direction: usize,
         line: usize,
@@ -131,7 +131,7 @@ impl Section {
 
 /// The Bézier points of a line of the surface over one cell. Direction 0 means lines of constant u.
 fn edge<const N: usize>(
-    cells: &impl Cells<N>,
+    cells: &impl SheetCells<N>,
     lattice: Lattice,
     direction: usize,
     line: usize,
@@ -142,8 +142,8 @@ fn edge<const N: usize>(
     let row = line - usize::from(is_far);
     let side = if is_far { N - 1 } else { 0 };
     match direction {
-        0 => cells.patch(row, place).points[side],
-        _ => cells.patch(place, row).transposed().points[side],
+        0 => cells.cell_patch(row, place).points[side],
+        _ => cells.cell_patch(place, row).transposed().points[side],
     }
 }
 

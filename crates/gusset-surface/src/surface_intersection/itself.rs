@@ -15,7 +15,7 @@ use super::places::PairPlaces;
 use super::solve::FoundArcs;
 use super::trails::{Step, Trail, Trails};
 use super::{Intersection, Options, positive, rounding_error};
-use crate::cells::Cells;
+use crate::cells::SheetCells;
 use crate::{Paths, Place, Surface, each_sheet};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
@@ -65,11 +65,11 @@ impl Surface<'_> {
     /// The errors of [`Surface::meet`].
     /// As [`Surface::meet`].
     pub fn meet_itself(&self, options: &Options, job: &Job<'_>) -> Result<Paths> {
-        let chord = positive("chord", options.chord, 1e-4 * self.diagonal())?;
+        let chord = positive("chord", options.chord, 1e-4 * self.box_diagonal())?;
         let tolerance = positive("tolerance", options.tolerance, self.tolerance())?;
         Error::require(tolerance.is_finite(), "tolerance", tolerance)?;
         // Adjacent cells are close to each other without touching.
-        let rounding = rounding_error(self.diagonal());
+        let rounding = rounding_error(self.box_diagonal());
         let tolerance = tolerance.min(self.tolerance()).max(8.0 * rounding);
         let (joints, pairs) = self.own_pairs(tolerance, &job.part(0.0, 0.2))?;
         let (mut near, mut far) = (Vec::new(), Vec::new());
@@ -158,7 +158,7 @@ impl Intersection<'_> {
     /// Adds the arcs of two cells that have points in common.
     fn near_pair<const N: usize>(
         &self,
-        sheet: &impl Cells<N>,
+        sheet: &impl SheetCells<N>,
         k: u32,
         joints: &Joints,
         (max_boxes, last): (usize, bool),
@@ -167,7 +167,7 @@ impl Intersection<'_> {
     ) -> Result<()> {
         let cells = self.places.pairs[k as usize].cells;
         let [(a, size), (b, other)] =
-            cells.map(|[i, j]| CoordinateNet::new(&sheet.patch(i as usize, j as usize), self.places.origin));
+            cells.map(|[i, j]| CoordinateNet::new(&sheet.cell_patch(i as usize, j as usize), self.places.origin));
         let mut whole = ParameterBox::<N, N>::WHOLE;
         (whole.nets.a, whole.nets.b) = (a, b);
         let task = self.task(k, rounding_error(size.max(other)), max_boxes, last);

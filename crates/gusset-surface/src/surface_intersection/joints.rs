@@ -10,7 +10,7 @@
 
 use super::chart::ParameterBox;
 use super::poles;
-use crate::cells::Cells;
+use crate::cells::SheetCells;
 use glam::DVec3;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -63,19 +63,19 @@ impl Part {
 }
 
 /// The control points along a border of cell `k`, of rows (`direction` 0) or columns.
-fn side<const N: usize>(cells: &impl Cells<N>, direction: usize, side: usize, k: usize) -> [DVec3; N] {
+fn side<const N: usize>(cells: &impl SheetCells<N>, direction: usize, side: usize, k: usize) -> [DVec3; N] {
     poles::patch_from_border(cells, direction, side, k).points[0]
 }
 
 impl Joints {
     /// Finds the joints of a sheet. Control points at most `noise` apart are the same point.
     pub(super) fn new<const N: usize>(
-        cells: &impl Cells<N>,
+        cells: &impl SheetCells<N>,
         closed: [bool; 2],
         noise: f64,
         job: &Job<'_>,
     ) -> Result<Self> {
-        let counts = cells.counts();
+        let counts = cells.cell_counts();
         let mut joints = Joints { cells: counts.map(|n| n as i64), seams: [Seam::Open; 2], poles: [[None; 2]; 2] };
         let near = |p: &DVec3, q: &DVec3| p.distance(*q) <= noise;
         let is_pole = [0, 1].map(|d| {

@@ -48,7 +48,7 @@ use gusset_base::sort;
 use gusset_base::{alloc, par};
 pub use pairs::{CellPair, MAX_PAIRS};
 
-use super::cells::Cells;
+use super::cells::SheetCells;
 use super::path::{Contact, ContactKind};
 use super::{Paths, Place, Sheet, Surface, each_sheet};
 use bridge::Surroundings;
@@ -132,10 +132,10 @@ impl Surface<'_> {
     /// [`Error::OptionOutOfRange`]; [`Error::TooLarge`] above [`MAX_PAIRS`] pairs of cells;
     /// [`Error::OutOfMemory`]; [`Error::Cancelled`].
     pub fn meet(&self, other: &Surface<'_>, options: &Options, job: &Job<'_>) -> Result<Paths> {
-        let chord = positive("chord", options.chord, 1e-4 * self.diagonal().min(other.diagonal()))?;
+        let chord = positive("chord", options.chord, 1e-4 * self.box_diagonal().min(other.box_diagonal()))?;
         let tolerance = positive("tolerance", options.tolerance, self.tolerance().min(other.tolerance()))?;
         Error::require(tolerance.is_finite(), "tolerance", tolerance)?;
-        let rounding = rounding_error(self.diagonal().max(other.diagonal()));
+        let rounding = rounding_error(self.box_diagonal().max(other.box_diagonal()));
         let resolution = tolerance.min(self.tolerance().min(other.tolerance())).max(8.0 * rounding);
         let pairs = self.candidates(other, tolerance, &job.part(0.0, 0.2))?;
         let origin = 0.5 * (self.bounds()[0] + self.bounds()[1]);
@@ -198,7 +198,7 @@ struct Intersection<'a> {
 
 /// For the row and the column of a cell, whether the sheet has another cell before and after it.
 fn neighbours(sheet: &Sheet<'_>, cell: [u32; 2]) -> [[bool; 2]; 2] {
-    let (cells, seams) = (sheet.cells(), sheet.seams());
+    let (cells, seams) = (sheet.cells(), sheet.has_exact_seams());
     match sheet {
         Sheet::Grid(_) => [0, 1].map(|k| [seams[k] || cell[k] > 0, seams[k] || (cell[k] as usize) < cells[k] - 1]),
         // Sides of given patches may differ slightly, so each patch keeps its own.
@@ -303,8 +303,8 @@ impl Intersection<'_> {
     /// Adds the arcs of pairs of two sheets.
     fn run<const N: usize, const M: usize>(
         &self,
-        a: &impl Cells<N>,
-        b: &impl Cells<M>,
+        a: &impl SheetCells<N>,
+        b: &impl SheetCells<M>,
         which: &[u32],
         task: &impl Fn(u32, f64) -> PairTask,
         pieces: &mut FoundArcs,
@@ -316,11 +316,13 @@ impl Intersection<'_> {
             let [p, q] = self.places.pairs[k as usize].cells;
             // Pairs with the same cell of A are successive.
             if last != Some(p) {
-                (whole.nets.a, size_a) = CoordinateNet::new(&a.patch(p[0] as usize, p[1] as usize), self.places.origin);
+                (whole.nets.a, size_a) =
+                    CoordinateNet::new(&a.cell_patch(p[0] as usize, p[1] as usize), self.places.origin);
                 last = Some(p);
             }
             let size_b;
-            (whole.nets.b, size_b) = CoordinateNet::new(&b.patch(q[0] as usize, q[1] as usize), self.places.origin);
+            (whole.nets.b, size_b) =
+                CoordinateNet::new(&b.cell_patch(q[0] as usize, q[1] as usize), self.places.origin);
             task(k, rounding_error(size_a.max(size_b))).solve(&whole, pieces, job)?;
         }
         Ok(())
@@ -406,8 +408,8 @@ impl Intersection<'_> {
             alloc::push(&mut paths.closed, chain.closed)?;
         }
         self.evaluate(&mut paths)?;
-        let size = self.places.surfaces.map(Surface::diagonal);
-        paths.drop_repeats(rounding_error(size[0].max(size[1])));
+        let size = self.places.surfaces.map(Surface::box_diagonal);
+        paths.drop_repeated_points(rounding_error(size[0].max(size[1])));
         Ok(paths)
     }
 
@@ -419,11 +421,11 @@ impl Intersection<'_> {
         for run in paths.places.chunk_by(|p, q| (p.sheet, p.cell) == (q.sheet, q.cell)) {
             let (sheet, [i, j]) = (self.places.surfaces[0].sheet(run[0].sheet as usize), run[0].cell);
             each_sheet!(sheet, cells => {
-                let patch = Cells::patch(cells, i as usize, j as usize);
+                let patch = SheetCells::cell_patch(cells, i as usize, j as usize);
                 for &place in run {
                     let jet = patch.jet(place.u, place.v);
                     paths.points.push(jet.point);
-                    paths.normals.push(self.places.surfaces[0].normal_by(place, &jet));
+                    paths.normals.push(self.places.surfaces[0].normal_from_jet(place, &jet));
                 }
             });
         }

@@ -5,7 +5,7 @@
 //! surface over their cells, so that no pair that meets is discarded. Cost: O(pairs of blocks close
 //! to each other).
 
-use crate::cells::{BLOCK, Cells, cells_of_block};
+use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells, cells_of_block};
 use crate::index::{OrientedBox, Pyramid};
 use crate::{Sheet, Surface, each_sheet};
 use glam::DVec3;
@@ -199,7 +199,7 @@ impl Quadrilateral {
 /// The corners of the cells of a block, and the cells that may meet another block.
 struct BlockCells {
     at: [usize; 2],
-    corners: [[DVec3; BLOCK + 1]; BLOCK + 1],
+    corners: [[DVec3; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1],
     /// Bound of the distance between the surface and the cells' quadrilaterals.
     deviation: f64,
     quads: Vec<Quadrilateral>,
@@ -208,7 +208,7 @@ struct BlockCells {
 impl BlockCells {
     const NONE: BlockCells = BlockCells {
         at: [usize::MAX; 2],
-        corners: [[DVec3::ZERO; BLOCK + 1]; BLOCK + 1],
+        corners: [[DVec3::ZERO; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1],
         deviation: 0.0,
         quads: Vec::new(),
     };
@@ -221,11 +221,11 @@ impl BlockCells {
         self.at = [node.row, node.column];
         self.deviation = sheet.index.deviation(node.row, node.column);
         let [rows, columns] = sheet.sheet.cells();
-        let [first, left] = self.at.map(|at| at * BLOCK);
+        let [first, left] = self.at.map(|at| at * CELLS_PER_BLOCK_SIDE);
         each_sheet!(sheet.sheet, cells => {
             for (i, line) in (first..=rows).zip(&mut self.corners) {
                 for (j, corner) in (left..=columns).zip(line) {
-                    *corner = cells.corner(i, j) - origin;
+                    *corner = cells.corner_point(i, j) - origin;
                 }
             }
         });
@@ -235,7 +235,7 @@ impl BlockCells {
     fn select_cells(&mut self, sheet: &Sheet<'_>, near: &Aabb, by: f64) {
         self.quads.clear();
         for [i, j] in cells_of_block(self.at, sheet.cells()) {
-            let (r, c) = (i % BLOCK, j % BLOCK);
+            let (r, c) = (i % CELLS_PER_BLOCK_SIDE, j % CELLS_PER_BLOCK_SIDE);
             let corners = [0, 1].map(|k| [self.corners[r + k][c], self.corners[r + k][c + 1]]);
             let [[p, q], [s, t]] = corners;
             let bounds = Aabb { low: p.min(q).min(s.min(t)), high: p.max(q).max(s.max(t)) };
@@ -290,7 +290,7 @@ impl Surface<'_> {
         let mut cell_pairs = Vec::new();
         for [k, n] in sheets {
             let [a, b] = [(self, k), (other, n)].map(|(surface, k)| {
-                let (sheet, index) = surface.indexed(k);
+                let (sheet, index) = surface.sheet_and_index(k);
                 Indexed { number: k as u32, sheet, index }
             });
             pairs(&a, &b, (within, wanted), &mut cell_pairs, job)?;

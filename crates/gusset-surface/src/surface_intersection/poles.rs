@@ -15,7 +15,7 @@
 
 use super::graph::Interval;
 use crate::Patch;
-use crate::cells::Cells;
+use crate::cells::SheetCells;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -32,16 +32,16 @@ const PIECES_PER_CELL: usize = 8;
 
 /// The patch of cell k along a border, with u running inwards from the border.
 pub(super) fn patch_from_border<const N: usize>(
-    cells: &impl Cells<N>,
+    cells: &impl SheetCells<N>,
     direction: usize,
     side: usize,
     k: usize,
 ) -> Patch<N> {
-    let last = cells.counts()[direction] - 1;
+    let last = cells.cell_counts()[direction] - 1;
     let at = if side == 0 { 0 } else { last };
     let mut patch = match direction {
-        0 => cells.patch(at, k),
-        _ => cells.patch(k, at).transposed(),
+        0 => cells.cell_patch(at, k),
+        _ => cells.cell_patch(k, at).transposed(),
     };
     if side == 1 {
         patch.points.reverse();
@@ -127,13 +127,13 @@ impl Bounds {
 /// The smallest number of halvings towards a pole after which the sheet is proven injective there.
 /// `is_ring` tells whether the last cell around the pole is followed by the first.
 pub(super) fn injective_band<const N: usize>(
-    cells: &impl Cells<N>,
+    cells: &impl SheetCells<N>,
     direction: usize,
     side: usize,
     is_ring: bool,
     job: &Job<'_>,
 ) -> Result<Option<i32>> {
-    let count = cells.counts()[1 - direction];
+    let count = cells.cell_counts()[1 - direction];
     let mut quotients = alloc::collect((0..count).map(|k| quotient(&patch_from_border(cells, direction, side, k))))?;
     for band in 0..=MAX_BAND {
         if are_injective(&quotients, is_ring, job)? {

@@ -233,7 +233,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         if self.examined.is_multiple_of(BOXES_PER_REPORT) {
             self.step()?;
         }
-        let has_no_area = || equation.a.patch().has_no_area() && equation.b.patch().has_no_area();
+        let has_no_area = || equation.a.patch().has_zero_area() && equation.b.patch().has_zero_area();
         if self.examined == BOXES_BEFORE_DEGENERACY_TEST && (has_no_area() || self.coincide()) {
             return Err(Stop::Degenerate);
         }

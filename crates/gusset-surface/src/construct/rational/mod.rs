@@ -11,7 +11,7 @@ mod fit;
 use self::bound::Difference;
 use self::fit::{ExactPoints, Fit};
 use super::spline::{PieceNet, Spline, SplineInterval, SplineOptions, SplinePiece, border_knots};
-use crate::patches::Origin;
+use crate::patches::SplineOrigin;
 use crate::{Patch, Patches};
 use glam::DVec3;
 use glam::DVec4;
@@ -161,8 +161,8 @@ pub(super) fn patches(
         patches.push(cell.patch);
     }
     let origin =
-        Origin { deviation: (deviation + rational.rounding) * rational.unit, knots: border_knots(&intervals)? };
-    Ok(Patches::from_patches(patches, intervals[0].len(), intervals[1].len()).with_origin(origin))
+        SplineOrigin { deviation: (deviation + rational.rounding) * rational.unit, knots: border_knots(&intervals)? };
+    Ok(Patches::from_patches(patches, intervals[0].len(), intervals[1].len()).with_spline_origin(origin))
 }
 
 /// The cell with the given index.
