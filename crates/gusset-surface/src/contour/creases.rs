@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 
 /// Finds creases, each as a cell and the middle of its side. At both ends of the side, the angle is
 /// below one of `angles` in one of the two cells, and above it in the other.
-pub(super) fn creases<C: SheetCells<N>, const N: usize>(
+pub(super) fn find_creases_at_angles<C: SheetCells<N>, const N: usize>(
     normals: &ProjectedNormals<'_, C, N>,
     cones: &Cones,
     lattice: &ContourLattice,
@@ -29,7 +29,7 @@ pub(super) fn creases<C: SheetCells<N>, const N: usize>(
     };
     // An angle can be skipped only if it is in the joint range of a block and the blocks behind it.
     let may_jump = |r: usize, c: usize| {
-        let behind = |k: usize, d: usize| if k + 1 == lattice.blocks()[d] { 0 } else { k + 1 };
+        let behind = |k: usize, d: usize| if k + 1 == lattice.block_counts()[d] { 0 } else { k + 1 };
         let around = [(r, c), (behind(r, 0), c), (r, behind(c, 1))];
         let ranges = around.into_iter().filter_map(|(r, c)| Some(cones.get(0, r, c)?.angles(normals.frame[2])));
         let whole = ranges.fold([PI, 0.0], |[low, high]: [f64; 2], [from, to]| [low.min(from), high.max(to)]);
@@ -41,11 +41,11 @@ pub(super) fn creases<C: SheetCells<N>, const N: usize>(
         job.step(i as f64 / rows as f64, "creases")?;
         if i % CELLS_PER_BLOCK_SIDE == 0 {
             jumps_in.clear();
-            jumps_in.extend((0..lattice.blocks()[1]).map(|c| may_jump(i / CELLS_PER_BLOCK_SIDE, c)));
+            jumps_in.extend((0..lattice.block_counts()[1]).map(|c| may_jump(i / CELLS_PER_BLOCK_SIDE, c)));
         }
         for j in (0..columns).filter(|j| jumps_in[j / CELLS_PER_BLOCK_SIDE]) {
             for direction in 0..2 {
-                let (behind, end) = lattice.owner([i, j], [direction == 0, direction == 1]);
+                let (behind, end) = lattice.owner_of_side_or_corner([i, j], [direction == 0, direction == 1]);
                 if end != [false; 2] {
                     continue;
                 }

@@ -20,7 +20,7 @@ pub struct Planes<'a> {
 
 /// The blocks (row, column) that planes at `offsets` from `point` may cross. `counts` are the
 /// numbers of blocks in u and in v.
-pub(super) fn blocks(
+pub(super) fn blocks_crossed_by_planes(
     index: &Pyramid,
     counts: [usize; 2],
     point: DVec3,

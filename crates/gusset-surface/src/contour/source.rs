@@ -9,7 +9,7 @@ use std::ops::Range;
 
 /// How the fields of two cells agree along their common side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Continuity {
+pub(super) enum SideContinuity {
     /// The coefficients are equal to the last bit.
     Exact,
     /// The coefficients are equal except for rounding.
@@ -21,41 +21,46 @@ pub(super) enum Continuity {
 /// A field over each cell, for a number of levels.
 pub(super) trait ContourSource<const M: usize>: Sync {
     /// The data that the cells of a block share.
-    type Block;
+    type BlockData;
     /// The data that the levels of a cell share.
-    type Base;
+    type CellData;
     /// Memory that the work on successive blocks reuses.
-    type Cache: Default;
+    type BlockCache: Default;
 
     /// Prepares a block of cells; `None` if no level crosses it.
-    fn block(&self, cells: [Range<usize>; 2], cache: &mut Self::Cache) -> Option<Self::Block>;
+    fn prepare_block(&self, cells: [Range<usize>; 2], cache: &mut Self::BlockCache) -> Option<Self::BlockData>;
 
     /// False if no level crosses a cell, by a cheap test.
-    fn may_cross(&self, _block: &Self::Block, _cell: [usize; 2]) -> bool {
+    fn may_level_cross_cell(&self, _block: &Self::BlockData, _cell: [usize; 2]) -> bool {
         true
     }
 
     /// The data to test a cell by its corners, if they bound the field closely.
     #[inline]
-    fn corner_test(&self, _block: &Self::Block, _cell: [usize; 2]) -> Option<CornerTest> {
+    fn corner_test(&self, _block: &Self::BlockData, _cell: [usize; 2]) -> Option<CornerTest> {
         None
     }
 
     /// The coefficients of the field along a side, bit for bit as in the cell's field. Only for
     /// sources with [`ContourSource::corner_test`].
     #[inline]
-    fn side_coefficients(&self, _cell: [usize; 2], _side: usize, _level: usize) -> [f64; 4] {
+    fn field_coefficients_on_side(&self, _cell: [usize; 2], _side: usize, _level: usize) -> [f64; 4] {
         [0.0; 4]
     }
 
     /// The value that is subtracted for a level.
     #[inline]
-    fn level(&self, _level: usize) -> f64 {
+    fn level_value(&self, _level: usize) -> f64 {
         0.0
     }
 
     /// Prepares a cell, whether or not a level crosses it.
-    fn base(&self, block: &Self::Block, cell: [usize; 2], cache: &mut Self::Cache) -> CellBase<Self::Base>;
+    fn prepare_cell(
+        &self,
+        block: &Self::BlockData,
+        cell: [usize; 2],
+        cache: &mut Self::BlockCache,
+    ) -> PreparedCell<Self::CellData>;
 
     /// The number of levels, at least 1.
     fn level_count(&self) -> usize {
@@ -63,7 +68,7 @@ pub(super) trait ContourSource<const M: usize>: Sync {
     }
 
     /// The field whose zero set belongs to a level.
-    fn field(&self, base: &Self::Base, level: usize) -> Field<M>;
+    fn level_field(&self, base: &Self::CellData, level: usize) -> Field<M>;
 
     /// Whether an arc of the zero set of a cell's field belongs to the level, judged at three
     /// places on it. `None` if only a part of it does.
@@ -73,16 +78,16 @@ pub(super) trait ContourSource<const M: usize>: Sync {
 
     /// Bound of the deviation of the surface over a cell of the block, and of the field, from the
     /// bilinear ones through the cell's corners.
-    fn deviation(&self, _block: &Self::Block) -> f64 {
+    fn bilinear_deviation(&self, _block: &Self::BlockData) -> f64 {
         f64::INFINITY
     }
 
     /// How cells agree along their sides.
-    fn continuity(&self) -> Continuity;
+    fn side_continuity(&self) -> SideContinuity;
 }
 
 /// The data of a cell that its levels share.
-pub(super) struct CellBase<B> {
+pub(super) struct PreparedCell<B> {
     /// The levels that may cross the cell.
     pub(super) levels: Range<usize>,
     /// Values up to this may be 0.
@@ -91,11 +96,11 @@ pub(super) struct CellBase<B> {
     pub(super) data: B,
 }
 
-impl<const M: usize> CellBase<Field<M>> {
+impl<const M: usize> PreparedCell<Field<M>> {
     /// Prepares a field from which levels are subtracted.
     #[inline]
     fn from_field(field: Field<M>, levels: &[f64], rounding_error: f64) -> Self {
-        CellBase { levels: levels_between(levels, field.range(), rounding_error), rounding_error, data: field }
+        PreparedCell { levels: levels_between(levels, field.range(), rounding_error), rounding_error, data: field }
     }
 }
 
@@ -113,12 +118,12 @@ pub(super) struct CornerTest {
 
 /// The indices of the levels between `low` and `high`, with some slack. Levels are ascending.
 #[inline]
-pub(super) fn levels_between(levels: &[f64], [low, high]: [f64; 2], slack: f64) -> Range<usize> {
+pub(super) fn levels_between(levels: &[f64], [low, high]: [f64; 2], tolerance: f64) -> Range<usize> {
     if let &[level] = levels {
-        return 0..usize::from(low - slack <= level && level <= high + slack);
+        return 0..usize::from(low - tolerance <= level && level <= high + tolerance);
     }
-    let first = levels.partition_point(|&level| level < low - slack);
-    let count = levels[first..].partition_point(|&level| level <= high + slack);
+    let first = levels.partition_point(|&level| level < low - tolerance);
+    let count = levels[first..].partition_point(|&level| level <= high + tolerance);
     first..first + count
 }
 
@@ -180,14 +185,14 @@ impl ScalarWindow {
     }
 
     /// The smallest and the largest scalar.
-    fn range(&self) -> [f64; 2] {
+    fn scalar_range(&self) -> [f64; 2] {
         range(self.values.as_flattened().iter().copied())
     }
 
     /// The field over a cell. Sums along the rows come first, then across, so that the coefficients
     /// of a common side have the same bits in both cells.
     #[inline]
-    fn field(&self, [i, j]: [usize; 2]) -> Field<4> {
+    fn cell_field(&self, [i, j]: [usize; 2]) -> Field<4> {
         let (r, c) = (i - self.start[0], j - self.start[1]);
         let (row, column) = (self.first[0][r], self.first[1][c]);
         let mut along = [[0.0; 4]; NODES_PER_CUBIC];
@@ -244,7 +249,7 @@ impl NodalBlock {
 }
 
 /// Scalars at nodes, interpolated like the nodes.
-pub(super) struct Nodal<'a, F, D> {
+pub(super) struct NodalScalarSource<'a, F, D> {
     pub(super) axes: [&'a GridAxis; 2],
     pub(super) value: F,
     pub(super) levels: &'a [f64],
@@ -257,17 +262,17 @@ pub(super) struct Nodal<'a, F, D> {
     pub(super) deviation: D,
 }
 
-impl<F, D> ContourSource<4> for Nodal<'_, F, D>
+impl<F, D> ContourSource<4> for NodalScalarSource<'_, F, D>
 where
     F: Fn(usize, usize) -> f64 + Sync,
     D: Fn(usize, usize) -> f64 + Sync,
 {
-    type Block = NodalBlock;
-    type Base = Field<4>;
-    type Cache = CachedWindow;
+    type BlockData = NodalBlock;
+    type CellData = Field<4>;
+    type BlockCache = CachedWindow;
 
     #[inline]
-    fn block(&self, cells: [Range<usize>; 2], cache: &mut CachedWindow) -> Option<NodalBlock> {
+    fn prepare_block(&self, cells: [Range<usize>; 2], cache: &mut CachedWindow) -> Option<NodalBlock> {
         let deviation = (self.deviation)(cells[0].start, cells[1].start);
         let mut block =
             NodalBlock { cells, corners: [[0.0; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1], deviation };
@@ -280,13 +285,13 @@ where
             }
             return Some(block);
         }
-        let [low, high] = self.window(&block, cache).range();
+        let [low, high] = self.cached_window(&block, cache).scalar_range();
         let slack = 0.5 * self.excess * (high - low) + self.rounding_error;
         (!levels_between(self.levels, [low, high], slack).is_empty()).then_some(block)
     }
 
     #[inline]
-    fn may_cross(&self, block: &NodalBlock, cell: [usize; 2]) -> bool {
+    fn may_level_cross_cell(&self, block: &NodalBlock, cell: [usize; 2]) -> bool {
         !levels_between(self.levels, block.value_range(cell), self.rounding_error).is_empty()
     }
 
@@ -303,12 +308,12 @@ where
     }
 
     #[inline]
-    fn level(&self, level: usize) -> f64 {
+    fn level_value(&self, level: usize) -> f64 {
         self.levels[level]
     }
 
     #[inline]
-    fn side_coefficients(&self, [i, j]: [usize; 2], side: usize, level: usize) -> [f64; 4] {
+    fn field_coefficients_on_side(&self, [i, j]: [usize; 2], side: usize, level: usize) -> [f64; 4] {
         let along_u = side.is_multiple_of(2);
         let across = if along_u { j } else { i } + usize::from(side == 1 || side == 2);
         let (axis, cell) = if along_u { (self.axes[0], i) } else { (self.axes[1], j) };
@@ -326,8 +331,8 @@ where
     }
 
     #[inline]
-    fn base(&self, block: &NodalBlock, cell: [usize; 2], cache: &mut CachedWindow) -> CellBase<Field<4>> {
-        CellBase::from_field(self.window(block, cache).field(cell), self.levels, self.rounding_error)
+    fn prepare_cell(&self, block: &NodalBlock, cell: [usize; 2], cache: &mut CachedWindow) -> PreparedCell<Field<4>> {
+        PreparedCell::from_field(self.cached_window(block, cache).cell_field(cell), self.levels, self.rounding_error)
     }
 
     fn level_count(&self) -> usize {
@@ -335,22 +340,22 @@ where
     }
 
     #[inline]
-    fn field(&self, base: &Field<4>, level: usize) -> Field<4> {
+    fn level_field(&self, base: &Field<4>, level: usize) -> Field<4> {
         subtract_level(base, self.levels[level])
     }
 
     #[inline]
-    fn deviation(&self, block: &NodalBlock) -> f64 {
+    fn bilinear_deviation(&self, block: &NodalBlock) -> f64 {
         block.deviation
     }
 
-    fn continuity(&self) -> Continuity {
-        Continuity::Exact
+    fn side_continuity(&self) -> SideContinuity {
+        SideContinuity::Exact
     }
 }
 
-impl<F: Fn(usize, usize) -> f64, D> Nodal<'_, F, D> {
-    fn window<'a>(&self, block: &NodalBlock, cache: &'a mut CachedWindow) -> &'a ScalarWindow {
+impl<F: Fn(usize, usize) -> f64, D> NodalScalarSource<'_, F, D> {
+    fn cached_window<'a>(&self, block: &NodalBlock, cache: &'a mut CachedWindow) -> &'a ScalarWindow {
         let first = [block.cells[0].start, block.cells[1].start];
         if cache.as_ref().is_some_and(|(of, _)| *of != first) {
             *cache = None;
@@ -366,7 +371,7 @@ fn subtract_level<const M: usize>(base: &Field<M>, level: f64) -> Field<M> {
 }
 
 /// The signed distance from a plane, on patches.
-pub(super) struct Plane<'a, C, const N: usize> {
+pub(super) struct PlaneDistanceSource<'a, C, const N: usize> {
     pub(super) cells: &'a C,
     pub(super) normal: DVec3,
     pub(super) origin: DVec3,
@@ -374,30 +379,30 @@ pub(super) struct Plane<'a, C, const N: usize> {
     pub(super) rounding_error: f64,
 }
 
-impl<C: SheetCells<N>, const N: usize> ContourSource<N> for Plane<'_, C, N> {
-    type Block = ();
-    type Base = Field<N>;
-    type Cache = ();
+impl<C: SheetCells<N>, const N: usize> ContourSource<N> for PlaneDistanceSource<'_, C, N> {
+    type BlockData = ();
+    type CellData = Field<N>;
+    type BlockCache = ();
 
-    fn block(&self, _: [Range<usize>; 2], (): &mut ()) -> Option<()> {
+    fn prepare_block(&self, _: [Range<usize>; 2], (): &mut ()) -> Option<()> {
         Some(())
     }
 
-    fn base(&self, (): &(), [i, j]: [usize; 2], (): &mut ()) -> CellBase<Field<N>> {
+    fn prepare_cell(&self, (): &(), [i, j]: [usize; 2], (): &mut ()) -> PreparedCell<Field<N>> {
         let patch = self.cells.cell_patch(i, j);
         let heights = Field { c: patch.points.map(|row| row.map(|point| (point - self.origin).dot(self.normal))) };
-        CellBase::from_field(heights, self.levels, self.rounding_error)
+        PreparedCell::from_field(heights, self.levels, self.rounding_error)
     }
 
     fn level_count(&self) -> usize {
         self.levels.len().max(1)
     }
 
-    fn field(&self, base: &Field<N>, level: usize) -> Field<N> {
+    fn level_field(&self, base: &Field<N>, level: usize) -> Field<N> {
         subtract_level(base, self.levels[level])
     }
 
-    fn continuity(&self) -> Continuity {
-        Continuity::Discontinuous
+    fn side_continuity(&self) -> SideContinuity {
+        SideContinuity::Discontinuous
     }
 }
