@@ -5,7 +5,7 @@
 //! is discarded. Cost: O(blocks visited).
 
 use super::source::levels_between;
-use crate::index::Cones;
+use crate::index::ConePyramid;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -42,17 +42,17 @@ pub(super) fn may_have_angle(angles: &[f64], unsigned: bool, [low, high]: [f64; 
 /// The blocks, row by row, for which `wanted` accepts the smallest and largest angle of the normals
 /// with a direction. If `wanted` accepts a range, it must accept every larger one.
 pub(super) fn select_blocks_by_cones(
-    cones: &Cones,
+    cones: &ConePyramid,
     direction: DVec3,
     wanted: impl Fn([f64; 2]) -> bool,
 ) -> Result<Vec<[u32; 2]>> {
     let mut wanted_blocks = Vec::new();
     let mut waiting: Vec<[usize; 3]> = Vec::new();
-    let last = cones.levels() - 1;
+    let last = cones.level_count() - 1;
     (0..4).for_each(|k| waiting.push([last, k / 2, k % 2]));
     while let Some([level, r, c]) = waiting.pop() {
-        let Some(cone) = cones.get(level, r, c) else { continue };
-        if !wanted(cone.angles(direction)) {
+        let Some(cone) = cones.cone_of_block(level, r, c) else { continue };
+        if !wanted(cone.angle_range_to(direction)) {
             continue;
         }
         if level == 0 {

@@ -5,7 +5,7 @@ use super::cone_culling;
 use super::contour_lattice::ContourLattice;
 use super::projected_normals::ProjectedNormals;
 use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
-use crate::index::Cones;
+use crate::index::ConePyramid;
 use glam::DVec2;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -16,7 +16,7 @@ use std::f64::consts::PI;
 /// below one of `angles` in one of the two cells, and above it in the other.
 pub(super) fn find_creases_at_angles<C: SheetCells<N>, const N: usize>(
     normals: &ProjectedNormals<'_, C, N>,
-    cones: &Cones,
+    cones: &ConePyramid,
     lattice: &ContourLattice,
     angles: &[f64],
     unsigned: bool,
@@ -31,7 +31,9 @@ pub(super) fn find_creases_at_angles<C: SheetCells<N>, const N: usize>(
     let may_jump = |r: usize, c: usize| {
         let behind = |k: usize, d: usize| if k + 1 == lattice.block_counts()[d] { 0 } else { k + 1 };
         let around = [(r, c), (behind(r, 0), c), (r, behind(c, 1))];
-        let ranges = around.into_iter().filter_map(|(r, c)| Some(cones.get(0, r, c)?.angles(normals.frame[2])));
+        let ranges = around
+            .into_iter()
+            .filter_map(|(r, c)| Some(cones.cone_of_block(0, r, c)?.angle_range_to(normals.frame[2])));
         let whole = ranges.fold([PI, 0.0], |[low, high]: [f64; 2], [from, to]| [low.min(from), high.max(to)]);
         cone_culling::may_have_angle(angles, unsigned, whole)
     };

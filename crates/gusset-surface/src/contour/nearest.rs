@@ -18,7 +18,7 @@ use super::projected_normals::{ProjectedNormals, frame_with_third_axis};
 use super::source::SideContinuity;
 use crate::cells::SheetCells;
 use crate::checks::unit_vector;
-use crate::index::Cones;
+use crate::index::ConePyramid;
 use crate::ranges::angle_range_to_third_axis;
 use crate::subdivision::Field;
 use crate::{Place, Sheet, Surface, each_sheet};
@@ -170,13 +170,21 @@ impl<'a, C: SheetCells<N>, const N: usize> SheetAngleSearch<'a, C, N> {
 
     /// The blocks that may contain an angle as good as the best one. Searches the most promising
     /// blocks first, to improve the best angle.
-    fn candidate_blocks(&self, cones: &Cones, lattice: &ContourLattice, best: &BestAngle) -> Result<Vec<[u32; 2]>> {
+    fn candidate_blocks(
+        &self,
+        cones: &ConePyramid,
+        lattice: &ContourLattice,
+        best: &BestAngle,
+    ) -> Result<Vec<[u32; 2]>> {
         let direction = self.normals.frame[2];
         let mut front = vec![[0; 2]];
-        for level in (0..cones.levels()).rev() {
+        for level in (0..cones.level_count()).rev() {
             let below = front.iter().flat_map(|&[r, c]| (0..4).map(move |k| [2 * r + k / 2, 2 * c + k % 2]));
             let bound = |at: [usize; 2]| {
-                Some((self.goal.deviation_bound(cones.get(level, at[0], at[1])?.angles(direction)), at))
+                Some((
+                    self.goal.deviation_bound(cones.cone_of_block(level, at[0], at[1])?.angle_range_to(direction)),
+                    at,
+                ))
             };
             let mut bounds: Vec<(f64, [usize; 2])> = below.filter_map(bound).collect();
             sort::stable(&mut bounds, &|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -196,7 +204,7 @@ impl<'a, C: SheetCells<N>, const N: usize> SheetAngleSearch<'a, C, N> {
     /// Evaluates the middles of cells, and collects the cells that may contain a better place.
     fn collect_candidates(
         &self,
-        cones: &Cones,
+        cones: &ConePyramid,
         lattice: &ContourLattice,
         best: &mut BestAngle,
         candidates: &mut Vec<CandidateCell>,
@@ -213,9 +221,9 @@ impl<'a, C: SheetCells<N>, const N: usize> SheetAngleSearch<'a, C, N> {
                 |range| {
                     let (mut best, mut candidates) = (known, Vec::new());
                     for &[r, c] in &blocks[first..][range] {
-                        let cone = cones.get(0, r as usize, c as usize);
+                        let cone = cones.cone_of_block(0, r as usize, c as usize);
                         if cone.is_some_and(|cone| {
-                            self.goal.deviation_bound(cone.angles(self.normals.frame[2])) > best.deviation
+                            self.goal.deviation_bound(cone.angle_range_to(self.normals.frame[2])) > best.deviation
                         }) {
                             continue;
                         }

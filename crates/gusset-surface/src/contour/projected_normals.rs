@@ -8,7 +8,7 @@ use super::normals::Hodographs;
 use super::source::SideContinuity;
 use crate::Surface;
 use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
-use crate::index::Pyramid;
+use crate::index::BoxPyramid;
 use crate::ranges::cross_product_ranges;
 use crate::subdivision::{Roots, roots};
 use glam::{DVec2, DVec3};
@@ -19,7 +19,7 @@ use std::ops::Range;
 /// Normals of a sheet relative to a direction.
 pub(super) struct ProjectedNormals<'a, C, const N: usize> {
     pub(super) cells: &'a C,
-    index: &'a Pyramid,
+    index: &'a BoxPyramid,
     /// Two perpendicular directions across the given one, then the given one.
     pub(super) frame: [DVec3; 3],
     /// The largest absolute coordinate.
@@ -72,7 +72,8 @@ impl<'a, C: SheetCells<N>, const N: usize> ProjectedNormals<'a, C, N> {
     /// the absolute values of its weights. L' is at most 1.42 L, so a control point is off by at
     /// most 2 deviations.
     pub(super) fn project_block_corners(&self, [rows, columns]: &[Range<usize>; 2]) -> ProjectedBlockCorners {
-        let deviation = self.index.deviation(rows.start / CELLS_PER_BLOCK_SIDE, columns.start / CELLS_PER_BLOCK_SIDE);
+        let deviation =
+            self.index.block_deviation(rows.start / CELLS_PER_BLOCK_SIDE, columns.start / CELLS_PER_BLOCK_SIDE);
         let mut at = [[DVec3::ZERO; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1];
         let origin = self.index.origin();
         for (r, row) in at.iter_mut().enumerate().take(rows.len() + 1) {

@@ -3,7 +3,7 @@
 use super::line_search::MAX_RELATIVE_ROUNDING;
 use crate::Place;
 use crate::cells::{SheetCells, cells_of_block};
-use crate::index::Pyramid;
+use crate::index::BoxPyramid;
 use crate::subdivision::{Crossings, CurveWorkspace, crossings};
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;
@@ -74,7 +74,7 @@ const MIN_PART_SIZE: f64 = 1e-30;
 /// The search in a sheet for a segment.
 pub(super) struct CurveSearch<'a, C, const M: usize, const N: usize> {
     pub(super) cells: &'a C,
-    pub(super) index: &'a Pyramid,
+    pub(super) index: &'a BoxPyramid,
     pub(super) sheet: u32,
     /// The index of the segment on the curve.
     pub(super) segment: usize,
@@ -86,7 +86,7 @@ impl<C: SheetCells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> 
     pub(super) fn run(&self, whole: &CurvePart<M>, finds: &mut Vec<CurveFind>) -> Result<()> {
         let origin = self.index.origin();
         let part = CurvePart { points: whole.points.map(|point| point - origin), ..*whole };
-        let (levels, bounds) = (self.index.levels(), self.index.bounds());
+        let (levels, bounds) = (self.index.levels(), self.index.bounding_box());
         let farthest = part.points.iter().map(|point| point.length()).fold(0.0, f64::max);
         let diagonal = bounds.diagonal();
         let rounding_error =
@@ -116,7 +116,7 @@ impl<C: SheetCells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> 
                 for child in 0..4 {
                     let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
                     if self.touches(&part, rounding_error, level - 1, row, column) {
-                        let diagonal = levels[level - 1].child_boxes(row / 2, column / 2).get(child).diagonal();
+                        let diagonal = levels[level - 1].child_boxes(row / 2, column / 2).child_box(child).diagonal();
                         waiting.push(CurveEntry { part: part.clone(), diagonal, level: level - 1, row, column });
                     }
                 }
@@ -128,10 +128,10 @@ impl<C: SheetCells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> 
     /// False if the part misses the boxes of block (row, column) of a level.
     fn touches(&self, part: &CurvePart<M>, rounding_error: f64, level: usize, row: usize, column: usize) -> bool {
         let level = &self.index.levels()[level];
-        let block = level.child_boxes(row / 2, column / 2).get(2 * (row % 2) + column % 2);
+        let block = level.child_boxes(row / 2, column / 2).child_box(2 * (row % 2) + column % 2);
         !block.is_empty()
             && part.bounds().inflated(rounding_error).overlaps(&block)
-            && level.oriented(row, column).is_none_or(|oriented| oriented.meets_hull(&part.points))
+            && level.oriented_box(row, column).is_none_or(|oriented| oriented.may_meet_hull(&part.points))
     }
 
     /// Adds the common points in the cells of a block.
@@ -142,7 +142,7 @@ impl<C: SheetCells<N>, const M: usize, const N: usize> CurveSearch<'_, C, M, N> 
         solver: &mut CurveSolver<M, N>,
         finds: &mut Vec<CurveFind>,
     ) -> Result<()> {
-        let deviation = self.index.deviation(block[0], block[1]) + solver.rounding_error;
+        let deviation = self.index.block_deviation(block[0], block[1]) + solver.rounding_error;
         let along = part.bounds();
         for [i, j] in cells_of_block(block, self.cells.cell_counts()) {
             let corners = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)];

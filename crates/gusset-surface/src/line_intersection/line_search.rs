@@ -2,7 +2,7 @@
 
 use super::line::{Hit, HitSelection, Line};
 use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
-use crate::index::{OrientedBox, Pyramid, Slab};
+use crate::index::{BoxPyramid, LineSlabTest, OrientedBox};
 use crate::subdivision::{Crossings, CurveWorkspace, Roots, crossings, simple_roots};
 use crate::{Patch, Place};
 use glam::{DVec2, DVec3};
@@ -50,13 +50,13 @@ struct Ray {
 }
 
 impl Ray {
-    fn new(line: &Line, index: &Pyramid) -> Ray {
+    fn new(line: &Line, index: &BoxPyramid) -> Ray {
         let (along, length) = line.direction_and_length();
         let from = line.origin - index.origin();
         let distance = -from.dot(along);
         let local = from + distance * along;
         let (first, second) = along.any_orthonormal_pair();
-        let bounds = index.bounds();
+        let bounds = index.bounding_box();
         Ray {
             line: *line,
             local,
@@ -102,7 +102,7 @@ const MAX_STACK: usize = 3 * 30 + 4;
 
 /// The search of one sheet.
 pub(super) struct LineSearch<'a> {
-    pub(super) index: &'a Pyramid,
+    pub(super) index: &'a BoxPyramid,
     pub(super) sheet: u32,
     pub(super) line: &'a Line,
     pub(super) selection: HitSelection,
@@ -121,7 +121,7 @@ impl LineSearch<'_> {
         let LineSearch { index, sheet, line, selection, tolerance } = *self;
         let ray = Ray::new(line, index);
         let slack = ray.rounding_error;
-        let slab = Slab::new(ray.local, ray.along, slack);
+        let slab = LineSlabTest::new(ray.local, ray.along, slack);
         let (from, to) = (ray.distance(line.from) - slack, ray.distance(line.to) + slack);
         let mut leaf = LineLeaf { cells, index, sheet, ray: &ray, tolerance, solver };
         let levels = index.levels();
@@ -148,12 +148,12 @@ impl LineSearch<'_> {
                 continue;
             }
             let level_below = &levels[level as usize - 1];
-            let [near, far] = slab.intersect(level_below.child_boxes(row, column), from, farthest);
+            let [near, far] = slab.entries_and_exits(level_below.child_boxes(row, column), from, farthest);
             let waiting = count;
             for child in 0..4 {
                 let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
-                let misses = |oriented: &OrientedBox| !oriented.meets_line(ray.local, ray.along);
-                if near[child] > far[child] || level_below.oriented(row, column).is_some_and(misses) {
+                let misses = |oriented: &OrientedBox| !oriented.may_meet_line(ray.local, ray.along);
+                if near[child] > far[child] || level_below.oriented_box(row, column).is_some_and(misses) {
                     continue;
                 }
                 // Insertion sort: the nearest child is last, and taken first.
@@ -183,7 +183,7 @@ impl LineSearch<'_> {
 /// The search of a block.
 struct LineLeaf<'a, C, const N: usize> {
     cells: &'a C,
-    index: &'a Pyramid,
+    index: &'a BoxPyramid,
     sheet: u32,
     ray: &'a Ray,
     tolerance: f64,
@@ -195,7 +195,7 @@ impl<C: SheetCells<N>, const N: usize> LineLeaf<'_, C, N> {
         let [rows, columns] = self.cells.cell_counts();
         let (first, last) = (row * CELLS_PER_BLOCK_SIDE, rows.min((row + 1) * CELLS_PER_BLOCK_SIDE));
         let (left, right) = (column * CELLS_PER_BLOCK_SIDE, columns.min((column + 1) * CELLS_PER_BLOCK_SIDE));
-        let deviation = self.index.deviation(row, column) + self.ray.rounding_error;
+        let deviation = self.index.block_deviation(row, column) + self.ray.rounding_error;
         let mut corners = [[DVec2::ZERO; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1];
         for i in first..=last {
             for j in left..=right {

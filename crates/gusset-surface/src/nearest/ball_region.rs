@@ -8,7 +8,7 @@ use super::block::blocks_within;
 use super::patch_search::{PartFrontier, nearest_on_patch};
 use super::query::check;
 use crate::cells::SheetCells;
-use crate::index::Pyramid;
+use crate::index::BoxPyramid;
 use crate::{Patch, Surface, each_sheet};
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;
@@ -96,7 +96,7 @@ impl QueryBall {
     fn collect<const N: usize>(
         &self,
         cells: &impl SheetCells<N>,
-        index: &Pyramid,
+        index: &BoxPyramid,
         sheet: u32,
         found: &mut Vec<([u32; 3], bool)>,
         job: &Job<'_>,

@@ -4,7 +4,7 @@
 //! oriented box. Both boxes contain the block.
 
 use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells, cells_of_block};
-use crate::index::Pyramid;
+use crate::index::BoxPyramid;
 use glam::DVec3;
 
 /// A block of any level, with a lower bound of its distance.
@@ -18,12 +18,12 @@ pub(super) struct Block {
 
 impl Block {
     /// The whole sheet.
-    pub(super) fn root(index: &Pyramid) -> Block {
+    pub(super) fn root(index: &BoxPyramid) -> Block {
         Block { bound: 0.0, level: index.levels().len(), row: 0, column: 0 }
     }
 
     /// The four child blocks, with their bounds; `None` for children beyond the edge of the sheet.
-    pub(super) fn children(&self, index: &Pyramid, query: DVec3) -> [Option<Block>; 4] {
+    pub(super) fn children(&self, index: &BoxPyramid, query: DVec3) -> [Option<Block>; 4] {
         let (level, local) = (&index.levels()[self.level - 1], query - index.origin());
         let distances = level.child_boxes(self.row, self.column).distances_squared(local);
         std::array::from_fn(|child| {
@@ -31,7 +31,7 @@ impl Block {
             let boxed = distances[child];
             let exists = boxed < f64::INFINITY;
             exists.then(|| {
-                let oriented = level.oriented(row, column).map_or(0.0, |oriented| oriented.distance_squared(local));
+                let oriented = level.oriented_box(row, column).map_or(0.0, |oriented| oriented.distance_squared(local));
                 Block { bound: boxed.max(oriented).sqrt(), level: self.level - 1, row, column }
             })
         })
@@ -54,7 +54,7 @@ impl Block {
 }
 
 /// The blocks of the lowest level whose bounds are within a fixed limit, depth first.
-pub(super) fn blocks_within(index: &Pyramid, query: DVec3, limit: f64) -> impl Iterator<Item = Block> {
+pub(super) fn blocks_within(index: &BoxPyramid, query: DVec3, limit: f64) -> impl Iterator<Item = Block> {
     let mut stack = vec![Block::root(index)];
     std::iter::from_fn(move || {
         while let Some(block) = stack.pop() {

@@ -9,7 +9,7 @@
 use super::corners::{BlockCorners, DisplacementBox, min};
 use super::incumbent::UpperBound;
 use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
-use crate::index::Pyramid;
+use crate::index::BoxPyramid;
 use glam::{DVec2, DVec3};
 
 /// A cell that may contain the nearest point.
@@ -27,7 +27,7 @@ pub(super) struct CellCandidate {
 /// A block of the lowest level.
 pub(super) struct BlockLeaf<'a, C, const N: usize> {
     pub(super) cells: &'a C,
-    pub(super) index: &'a Pyramid,
+    pub(super) index: &'a BoxPyramid,
     pub(super) row: usize,
     pub(super) column: usize,
 }
@@ -48,7 +48,7 @@ impl<C: SheetCells<N>, const N: usize> BlockLeaf<'_, C, N> {
         let (rows, columns) = (CELLS_PER_BLOCK_SIDE.min(rows - top), CELLS_PER_BLOCK_SIDE.min(columns - left));
         let corners = BlockCorners::from_cells(self.cells, [top, left], [rows, columns], query);
         upper.lower(corners.min_square().sqrt());
-        let displacement = DisplacementBox::new(self.index.displacement(self.row, self.column));
+        let displacement = DisplacementBox::new(self.index.displacement_box(self.row, self.column));
         let prune_bound = upper.prune_bound();
         // The half-space through the nearest answer.
         let mut bounds = [[0.0; CELLS_PER_BLOCK_SIDE]; CELLS_PER_BLOCK_SIDE];
@@ -203,7 +203,7 @@ mod tests {
         let (mut candidates, mut asked, mut excluded) = (Vec::new(), 0, 0);
         for (seed, query) in (0..cases(12)).flat_map(|seed| queries().map(move |query| (seed, query))) {
             let grid = rough(seed);
-            let index = Pyramid::build(&grid, &Job::default()).unwrap();
+            let index = BoxPyramid::build(&grid, &Job::default()).unwrap();
             let all: Vec<[usize; 2]> = (0..12).map(|k| [k / 3, k % 3]).collect();
             let truth: Vec<f64> = all.iter().map(|&cell| nearest_by_force(&grid, cell, query)).collect();
             let least = truth.iter().copied().fold(f64::INFINITY, f64::min);
@@ -237,8 +237,8 @@ mod tests {
     fn bounds_of_blocks_hold() {
         for (seed, query) in (0..cases(12)).flat_map(|seed| queries().map(move |query| (seed, query))) {
             let grid = rough(seed);
-            let index = Pyramid::build(&grid, &Job::default()).unwrap();
-            let displacement = DisplacementBox::new(index.displacement(0, 0));
+            let index = BoxPyramid::build(&grid, &Job::default()).unwrap();
+            let displacement = DisplacementBox::new(index.displacement_box(0, 0));
             let corners = BlockCorners::from_cells(&grid, [0, 0], [4, 3], query);
             let direction = (query - grid.patch(2, 1).point(0.5, 0.5)).normalize();
             let spaces = corners.half_spaces(direction, displacement.extent_along(direction));
@@ -264,8 +264,8 @@ mod tests {
     fn bounds_of_a_plane_are_exact() {
         let nodes = (0..25).flat_map(|k| [f64::from(k / 5), f64::from(k % 5), 0.0]).collect::<Vec<_>>();
         let grid = Grid::new(Nodes::strided(nodes, 5, 5, 0, 0).unwrap(), [false; 2], Scheme::SixTap).unwrap();
-        let index = Pyramid::build(&grid, &Job::default()).unwrap();
-        let displacement = DisplacementBox::new(index.displacement(0, 0));
+        let index = BoxPyramid::build(&grid, &Job::default()).unwrap();
+        let displacement = DisplacementBox::new(index.displacement_box(0, 0));
         let query = DVec3::new(-1.0, -2.0, 2.0);
         let corners = BlockCorners::from_cells(&grid, [0, 0], [4, 4], query);
         for [i, j] in (0..16).map(|k| [k / 4, k % 4]) {

@@ -21,7 +21,7 @@ use super::leaf::{BlockLeaf, CellCandidate};
 use super::part::PatchPart;
 use crate::cells::SheetCells;
 use crate::frontier::{BranchAndBound, Frontier};
-use crate::index::{OrientedBox, Pyramid};
+use crate::index::{BoxPyramid, OrientedBox};
 use crate::{Patch, Surface, each_sheet};
 use glam::{DVec2, DVec3};
 use std::convert::Infallible;
@@ -67,7 +67,7 @@ struct SinglePrecisionQuery {
 }
 
 impl SinglePrecisionQuery {
-    fn new(index: &Pyramid, query: DVec3) -> Self {
+    fn new(index: &BoxPyramid, query: DVec3) -> Self {
         let local = query - index.origin();
         let rounding = 2.0 * f64::from(f32::EPSILON) * local.abs().max_element();
         SinglePrecisionQuery { local, single: local.to_array().map(|x| x as f32), rounding }
@@ -158,7 +158,7 @@ impl NearestSearch {
 
     /// Searches a sheet depth first, the nearest children first. A long search moves the rest to
     /// the frontier.
-    fn search_sheet<const N: usize>(&mut self, cells: &impl SheetCells<N>, index: &Pyramid, sheet: u32) {
+    fn search_sheet<const N: usize>(&mut self, cells: &impl SheetCells<N>, index: &BoxPyramid, sheet: u32) {
         let query = SinglePrecisionQuery::new(index, self.incumbent.query);
         let levels = index.levels();
         let mut stack = std::mem::take(&mut self.stack);
@@ -184,7 +184,7 @@ impl NearestSearch {
                 continue;
             }
             let level = &levels[block.level as usize - 1];
-            let distances = level.child_boxes(row, column).single_distances_squared(query.single);
+            let distances = level.child_boxes(row, column).distances_squared_in_single_precision(query.single);
             let threshold = query.threshold(self.prune_bound());
             let first = stack.len();
             for (child, &boxed) in distances.iter().enumerate() {
@@ -196,7 +196,7 @@ impl NearestSearch {
                     boxed
                 } else {
                     let oriented = |oriented: &OrientedBox| oriented.distance_squared(query.local) as f32;
-                    level.oriented(row, column).map_or(0.0, oriented).max(boxed)
+                    level.oriented_box(row, column).map_or(0.0, oriented).max(boxed)
                 };
                 if bound > threshold {
                     continue;
@@ -312,7 +312,7 @@ impl NearestSearch {
     fn open_task<const N: usize>(
         &mut self,
         cells: &impl SheetCells<N>,
-        index: &Pyramid,
+        index: &BoxPyramid,
         sheet: u32,
         bound: f64,
         task: NearestTask,
@@ -429,7 +429,7 @@ fn sheets_by_distance(surface: &Surface<'_>, query: DVec3) -> impl Iterator<Item
     let first = if surface.len() == 1 {
         0
     } else {
-        let distance = |k: usize| surface.sheet_and_index(k).1.bounds().distance_squared(query);
+        let distance = |k: usize| surface.sheet_and_index(k).1.bounding_box().distance_squared(query);
         (0..surface.len()).map(|k| (distance(k), k)).fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a }).1
     };
     std::iter::once(first).chain((0..surface.len()).filter(move |&k| k != first))

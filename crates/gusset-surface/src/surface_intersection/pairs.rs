@@ -6,7 +6,7 @@
 //! to each other).
 
 use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells, cells_of_block};
-use crate::index::{OrientedBox, Pyramid};
+use crate::index::{BoxPyramid, OrientedBox};
 use crate::{Sheet, Surface, each_sheet};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -34,7 +34,7 @@ const PAIRS_PER_REPORT: usize = 1 << 16;
 struct Indexed<'a> {
     number: u32,
     sheet: &'a Sheet<'a>,
-    index: &'a Pyramid,
+    index: &'a BoxPyramid,
 }
 
 /// A block of one of the sheets.
@@ -65,7 +65,7 @@ impl Parallelepiped {
     }
 
     fn from_oriented_box(oriented: &OrientedBox, shift: DVec3) -> Parallelepiped {
-        let (centre, half) = oriented.edges();
+        let (centre, half) = oriented.centre_and_half_edges();
         Parallelepiped::new(centre + shift, half)
     }
 
@@ -104,21 +104,21 @@ impl Parallelepiped {
 }
 
 impl BlockNode {
-    fn root(index: &Pyramid, shift: DVec3) -> BlockNode {
-        let bounds = translated(index.bounds(), shift - index.origin());
+    fn root(index: &BoxPyramid, shift: DVec3) -> BlockNode {
+        let bounds = translated(index.bounding_box(), shift - index.origin());
         BlockNode { level: index.levels().len(), row: 0, column: 0, bounds, solid: None }
     }
 
     /// Child k, if it exists and may be within `by` of another block.
-    fn child(&self, k: usize, index: &Pyramid, shift: DVec3, near: &BlockNode, by: f64) -> Option<BlockNode> {
+    fn child(&self, k: usize, index: &BoxPyramid, shift: DVec3, near: &BlockNode, by: f64) -> Option<BlockNode> {
         let level = &index.levels()[self.level - 1];
         // The boxes of blocks that do not exist are empty.
-        let bounds = translated(level.child_boxes(self.row, self.column).get(k), shift);
+        let bounds = translated(level.child_boxes(self.row, self.column).child_box(k), shift);
         if !boxes_overlap(&bounds, &near.bounds, by) {
             return None;
         }
         let (row, column) = (2 * self.row + k / 2, 2 * self.column + k % 2);
-        let solid = level.oriented(row, column).map(|oriented| Parallelepiped::from_oriented_box(oriented, shift));
+        let solid = level.oriented_box(row, column).map(|oriented| Parallelepiped::from_oriented_box(oriented, shift));
         let apart = solid.as_ref().zip(near.solid.as_ref()).is_some_and(|(one, other)| !one.meets(other, by));
         (!apart).then_some(BlockNode { level: self.level - 1, row, column, bounds, solid })
     }
@@ -219,7 +219,7 @@ impl BlockCells {
             return;
         }
         self.at = [node.row, node.column];
-        self.deviation = sheet.index.deviation(node.row, node.column);
+        self.deviation = sheet.index.block_deviation(node.row, node.column);
         let [rows, columns] = sheet.sheet.cells();
         let [first, left] = self.at.map(|at| at * CELLS_PER_BLOCK_SIDE);
         each_sheet!(sheet.sheet, cells => {
@@ -311,7 +311,7 @@ fn pairs(
     let shift = b.index.origin() - origin;
     // Boxes contain the surface exactly, but the shift between the two origins rounds.
     let size = [a, b].map(|sheet| {
-        let Aabb { low, high } = sheet.index.bounds();
+        let Aabb { low, high } = sheet.index.bounding_box();
         low.abs().max(high.abs()).max_element()
     });
     let by = within + 8.0 * f64::EPSILON * size[0].max(size[1]);
