@@ -16,7 +16,7 @@ mod distance_search;
 mod pieces;
 
 use super::checks::{check_finite, unit_vector};
-use super::line_intersection::{Line, MAX_COORDINATE};
+use super::line_intersection::{Line, MAX_LINE_COORDINATE};
 use super::{Place, Surface};
 use distance_search::{DISTANCE_STAGE, DistanceSearch};
 use glam::DMat3;
@@ -81,7 +81,7 @@ fn place_of_position(at: &PiecePosition) -> Place {
 fn check_coordinate_size(point: DVec3, option: &'static str) -> Result<()> {
     check_finite(point, option)?;
     let largest = point.abs().max_element();
-    Error::require(largest <= MAX_COORDINATE, option, largest)
+    Error::require(largest <= MAX_LINE_COORDINATE, option, largest)
 }
 
 impl Surface<'_> {
@@ -97,7 +97,7 @@ impl Surface<'_> {
     /// [`Error::OptionOutOfRange`] if the line is not finite or lacks a direction, or the tolerance
     /// is negative or not finite; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn distance_to_line(&self, line: &Line, tolerance: Option<f64>, job: &Job<'_>) -> Result<Approach<f64>> {
-        line.check()?;
+        line.check_finite_with_direction()?;
         let (along, length) = line.direction_and_length();
         let parameter = |point: DVec3| ((point - line.origin).dot(along) / length).clamp(line.from, line.to);
         let at = |t: f64| line.origin + (t * length) * along;
