@@ -5,7 +5,7 @@
 //! because a Bernstein polynomial is a convex combination of its coefficients.
 
 use super::Patch;
-use super::subdivision::Field;
+use super::subdivision::BernsteinField;
 use glam::DVec3;
 use gusset_base::error::Result;
 use gusset_base::geom::Aabb;
@@ -80,10 +80,11 @@ pub(crate) trait SheetCells<const N: usize>: Sync {
     fn cell_patch(&self, i: usize, j: usize) -> Patch<N>;
 
     /// The coordinates of the patch over a cell along two directions, relative to `origin`.
-    fn coordinates_along(&self, i: usize, j: usize, origin: DVec3, directions: [DVec3; 2]) -> [Field<N>; 2] {
+    fn coordinates_along(&self, i: usize, j: usize, origin: DVec3, directions: [DVec3; 2]) -> [BernsteinField<N>; 2] {
         let patch = self.cell_patch(i, j);
-        directions
-            .map(|direction| Field { c: patch.points.map(|row| row.map(|point| (point - origin).dot(direction))) })
+        directions.map(|direction| BernsteinField {
+            c: patch.points.map(|row| row.map(|point| (point - origin).dot(direction))),
+        })
     }
 
     /// True if tangents are continuous across all sides of the cell at (i, j).

@@ -9,7 +9,7 @@ use super::axis::{BezierWeights, GridAxis, NODES_PER_CUBIC};
 use super::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
 use super::displacements::compute_displacement_boxes;
 use super::nodes::{NodeWindow, Nodes};
-use super::subdivision::Field;
+use super::subdivision::BernsteinField;
 use super::tangents::compute_tangent_boxes;
 use super::{Patch, Scheme};
 use glam::{DVec2, DVec3};
@@ -142,7 +142,7 @@ impl SheetCells<4> for Grid<'_> {
 
     /// Computes the sums of [`Grid::patch`] for heights of nodes instead of points. The first and
     /// the last of four Bézier points are nodes.
-    fn coordinates_along(&self, i: usize, j: usize, origin: DVec3, across: [DVec3; 2]) -> [Field<4>; 2] {
+    fn coordinates_along(&self, i: usize, j: usize, origin: DVec3, across: [DVec3; 2]) -> [BernsteinField<4>; 2] {
         let ((rows, row_weights), (columns, column_weights)) =
             (self.u.nodes_and_weights(i), self.v.nodes_and_weights(j));
         let (from_row, from_column) = (self.u.position_among_nodes(i), self.v.position_among_nodes(j));
@@ -155,7 +155,7 @@ impl SheetCells<4> for Grid<'_> {
             }
             *points = bezier_points_of_pairs(&heights, from_column, column_weights);
         }
-        let mut fields = [Field { c: [[0.0; 4]; 4] }; 2];
+        let mut fields = [BernsteinField { c: [[0.0; 4]; 4] }; 2];
         for b in 0..4 {
             let mut column = [DVec2::ZERO; NODES_PER_CUBIC];
             column.iter_mut().zip(&along).for_each(|(height, row)| *height = row[b]);

@@ -17,7 +17,7 @@
 //! Mourrain and Wintz (2008). Cost: O(M^3) for a split, at most [`MAX_PARTS_PER_CELL`] parts.
 
 use super::side::{counts_as_positive, find_sign_changes};
-use crate::subdivision::Field;
+use crate::subdivision::BernsteinField;
 use glam::DVec2;
 use gusset_base::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
 use gusset_base::sort;
@@ -76,7 +76,7 @@ pub(super) struct MarkedArc {
 
 /// A cell or part with the marks on its border.
 pub(super) struct MarkedPart<const M: usize> {
-    field: Field<M>,
+    field: BernsteinField<M>,
     marks: Vec<SignChangeMark>,
     /// Whether the field counts as positive at the corners 2 u + v.
     corners: [bool; 4],
@@ -98,7 +98,7 @@ impl InnerMarkKeys {
 /// `rounding_error` may be 0. Returns a place that is left unresolved, if any.
 #[inline]
 pub(super) fn find_cell_arcs<const M: usize>(
-    field: &Field<M>,
+    field: &BernsteinField<M>,
     marks: &mut Vec<SignChangeMark>,
     corners: [bool; 4],
     rounding_error: f64,
@@ -144,7 +144,7 @@ impl<F: FnMut(MarkedArc), const M: usize> Subdivision<MarkedPart<M>, 4> for Cell
         } else if let Some(over) = graph_parameter(&part.field, self.rounding_error) {
             BoxTest::Unique(over)
         } else {
-            let [low, high] = part.field.range();
+            let [low, high] = part.field.coefficient_range();
             let vanishes = low >= -self.rounding_error && high <= self.rounding_error;
             if vanishes { BoxTest::Unresolved } else { BoxTest::Undecided(()) }
         })
@@ -157,7 +157,7 @@ impl<F: FnMut(MarkedArc), const M: usize> Subdivision<MarkedPart<M>, 4> for Cell
     }
 
     fn give_up(&mut self, part: MarkedPart<M>, _exhausted: bool) -> Result<(), Infallible> {
-        let middle = part.field.evaluate(0.5, 0.5).value;
+        let middle = part.field.evaluate_jet(0.5, 0.5).value;
         if self.unresolved.is_none_or(|(min, _)| middle.abs() < min) {
             self.unresolved = Some((middle.abs(), part.from + 0.5 * part.size));
         }
@@ -172,15 +172,15 @@ impl<F: FnMut(MarkedArc), const M: usize> Subdivision<MarkedPart<M>, 4> for Cell
 
 /// True if the coefficients prove that the field does not vanish.
 #[inline]
-pub(super) fn has_one_sign<const M: usize>(field: &Field<M>) -> bool {
-    let [low, high] = field.range();
+pub(super) fn has_one_sign<const M: usize>(field: &BernsteinField<M>) -> bool {
+    let [low, high] = field.coefficient_range();
     low >= 0.0 || high < 0.0
 }
 
 /// The parameter, u (0) or v (1), over which the zero set is a graph, because the field is monotone
 /// in the other one. If both are possible, the field is steeper in the other parameter.
 #[inline]
-fn graph_parameter<const M: usize>(field: &Field<M>, rounding_error: f64) -> Option<usize> {
+fn graph_parameter<const M: usize>(field: &BernsteinField<M>, rounding_error: f64) -> Option<usize> {
     // Slopes are differences of coefficients, times the degree.
     let slack = rounding_error * (M - 1) as f64;
     let steep = |[low, high]: [f64; 2]| {
@@ -188,7 +188,7 @@ fn graph_parameter<const M: usize>(field: &Field<M>, rounding_error: f64) -> Opt
         let falls = high <= slack && low < -16.0 * slack;
         (rises || falls).then_some(low.abs().min(high.abs()))
     };
-    match field.slope_ranges().map(steep) {
+    match field.derivative_ranges().map(steep) {
         [Some(u), Some(v)] => Some(usize::from(u > v)),
         [Some(_), None] => Some(1),
         [None, Some(_)] => Some(0),

@@ -7,7 +7,7 @@
 use super::cell::{ArcAsGraph, MarkedArc};
 use super::side::find_bracketed_root;
 use crate::Patch;
-use crate::subdivision::Field;
+use crate::subdivision::BernsteinField;
 use glam::{DVec2, DVec3};
 use gusset_base::geom::bernstein::value_and_slope_by_differences as value_and_slope;
 
@@ -21,7 +21,7 @@ const MAX_SAMPLED_CHORD_FRACTION: f64 = 0.85;
 /// An arc over its patch.
 struct ArcOverPatch<'a, const N: usize, const M: usize> {
     patch: &'a Patch<N>,
-    field: &'a Field<M>,
+    field: &'a BernsteinField<M>,
     graph: ArcAsGraph,
     chord: f64,
     /// Values up to this may be 0.
@@ -45,13 +45,13 @@ struct ArcPoint {
 /// plus 2 `deviation`. The twist of the field is at most the twist of the surface.
 pub(super) fn is_arc_near_chord<const M: usize>(
     corners: &[DVec3; 4],
-    field: &Field<M>,
+    field: &BernsteinField<M>,
     link: &MarkedArc,
     deviation: f64,
     chord_tolerance: f64,
 ) -> bool {
     let Some(graph) = link.graph else { return false };
-    let [low, high] = field.slope_ranges()[1 - graph.over];
+    let [low, high] = field.derivative_ranges()[1 - graph.over];
     is_graph_near_chord(corners, graph.over, low.max(-high), deviation, chord_tolerance)
 }
 
@@ -84,7 +84,11 @@ const MAX_RESIDUAL_IN_ROUNDINGS: f64 = 16.0;
 
 /// The place of an arc at the middle of the parameter that it is a graph over. Returns `None` if
 /// the field does not vanish there, or the arc is not a graph.
-pub(super) fn middle_of_arc<const M: usize>(field: &Field<M>, link: &MarkedArc, rounding_error: f64) -> Option<DVec2> {
+pub(super) fn middle_of_arc<const M: usize>(
+    field: &BernsteinField<M>,
+    link: &MarkedArc,
+    rounding_error: f64,
+) -> Option<DVec2> {
     middle_of_graph(field, link.graph?, [link.from.at, link.to.at], rounding_error).ok()
 }
 
@@ -93,7 +97,7 @@ pub(super) fn middle_of_arc<const M: usize>(field: &Field<M>, link: &MarkedArc, 
 /// not vanish where the arc should be, returns the place instead of adding it.
 pub(super) fn insert_arc_points<const N: usize, const M: usize>(
     patch: &Patch<N>,
-    field: &Field<M>,
+    field: &BernsteinField<M>,
     link: &MarkedArc,
     chord_tolerance: f64,
     rounding_error: f64,
@@ -107,7 +111,7 @@ pub(super) fn insert_arc_points<const N: usize, const M: usize>(
 /// The place of a graph at the mean of the parameters of two others. Returns the expected place as
 /// an error if the field does not vanish there.
 fn middle_of_graph<const M: usize>(
-    field: &Field<M>,
+    field: &BernsteinField<M>,
     ArcAsGraph { over, range }: ArcAsGraph,
     [a, b]: [DVec2; 2],
     rounding_error: f64,

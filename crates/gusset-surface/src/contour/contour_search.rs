@@ -13,7 +13,7 @@ use super::side_roots::compute_side_roots;
 use super::source::{ContourSource, CornerTest, PreparedCell, SideContinuity};
 use crate::Patch;
 use crate::cells::SheetCells;
-use crate::subdivision::Field;
+use crate::subdivision::BernsteinField;
 use glam::{DVec2, DVec3};
 use gusset_base::error::Result;
 use gusset_base::job::Job;
@@ -110,7 +110,7 @@ fn place_on_side(side: usize, t: f64) -> DVec2 {
 struct LevelInCell<'a, const M: usize> {
     cell: [usize; 2],
     level: usize,
-    field: &'a Field<M>,
+    field: &'a BernsteinField<M>,
     rounding_error: f64,
     /// Bound of the deviation of the field and the surface from bilinear ones.
     deviation: f64,
@@ -174,7 +174,7 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
             let mut patch = None;
             for level in levels {
                 let field = snap_small_coefficients(self.source.level_field(&data, level), rounding_error);
-                let [low, high] = field.range();
+                let [low, high] = field.coefficient_range();
                 // Includes rounding: if sides agree only within rounding, the neighbour may have
                 // marks on a side that this cell lacks.
                 if low > rounding_error || high < -rounding_error {
@@ -298,7 +298,7 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
         &self,
         block: &S::BlockData,
         cell: [usize; 2],
-        own: &Field<M>,
+        own: &BernsteinField<M>,
         level: usize,
         cache: &mut S::BlockCache,
     ) -> ([[f64; M]; SIDES_PER_CELL], [bool; 4]) {
@@ -395,8 +395,8 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
 /// Rounds values within the rounding error to 0. A piece that lies in a plane within rounding then
 /// lies in it exactly, and produces no tiny curves. Equal coefficients remain equal.
 #[inline]
-fn snap_small_coefficients<const M: usize>(field: Field<M>, rounding_error: f64) -> Field<M> {
-    Field { c: field.c.map(|row| row.map(|x| snap_to_zero(x, rounding_error))) }
+fn snap_small_coefficients<const M: usize>(field: BernsteinField<M>, rounding_error: f64) -> BernsteinField<M> {
+    BernsteinField { c: field.c.map(|row| row.map(|x| snap_to_zero(x, rounding_error))) }
 }
 
 #[inline]
@@ -406,7 +406,7 @@ fn snap_to_zero(x: f64, rounding_error: f64) -> f64 {
 
 /// The polynomials along the sides and the signs at the corners, computed from the cell itself.
 #[inline]
-fn border_from_cell<const M: usize>(field: &Field<M>) -> ([[f64; M]; SIDES_PER_CELL], [bool; 4]) {
+fn border_from_cell<const M: usize>(field: &BernsteinField<M>) -> ([[f64; M]; SIDES_PER_CELL], [bool; 4]) {
     let c = &field.c;
     let sides = [c.map(|row| row[0]), c[M - 1], c.map(|row| row[M - 1]), c[0]];
     (sides, [c[0][0], c[0][M - 1], c[M - 1][0], c[M - 1][M - 1]].map(counts_as_positive))

@@ -18,7 +18,7 @@ use super::source::{ContourSource, PreparedCell, SideContinuity, levels_between}
 use crate::cells::SheetCells;
 use crate::checks::{check_ascending, unit_vector};
 use crate::ranges::angle_range_to_third_axis;
-use crate::subdivision::Field;
+use crate::subdivision::BernsteinField;
 use crate::{NormalKind, Paths, Place, Sheet, Surface};
 use glam::{DVec2, DVec3};
 use gusset_base::error::{Error, Result};
@@ -39,7 +39,7 @@ struct SilhouetteSource<'a, C, const N: usize>(&'a ProjectedNormals<'a, C, N>);
 
 impl<C: SheetCells<N>, const N: usize, const M: usize> ContourSource<M> for SilhouetteSource<'_, C, N> {
     type BlockData = ProjectedBlockCorners;
-    type CellData = Field<M>;
+    type CellData = BernsteinField<M>;
     type BlockCache = ();
 
     fn prepare_block(&self, cells: [Range<usize>; 2], (): &mut ()) -> Option<ProjectedBlockCorners> {
@@ -57,12 +57,17 @@ impl<C: SheetCells<N>, const N: usize, const M: usize> ContourSource<M> for Silh
         low <= rounding_error && high >= -rounding_error
     }
 
-    fn prepare_cell(&self, _: &ProjectedBlockCorners, cell: [usize; 2], (): &mut ()) -> PreparedCell<Field<M>> {
+    fn prepare_cell(
+        &self,
+        _: &ProjectedBlockCorners,
+        cell: [usize; 2],
+        (): &mut (),
+    ) -> PreparedCell<BernsteinField<M>> {
         let of = self.0.hodographs(cell);
         PreparedCell { levels: 0..1, rounding_error: self.0.normal_rounding_error(&of), data: of.normal_component(2) }
     }
 
-    fn level_field(&self, base: &Field<M>, _: usize) -> Field<M> {
+    fn level_field(&self, base: &BernsteinField<M>, _: usize) -> BernsteinField<M> {
         *base
     }
 
@@ -79,8 +84,8 @@ struct IsophoteSource<'a, C, const N: usize, const H: usize> {
 
 /// The squares that the equations of a cell's angles share.
 struct SquaredNormalFields<const M: usize> {
-    along: Field<M>,
-    across: Field<M>,
+    along: BernsteinField<M>,
+    across: BernsteinField<M>,
 }
 
 impl<C, const N: usize, const H: usize> IsophoteSource<'_, C, N, H> {
@@ -131,7 +136,7 @@ impl<C: SheetCells<N>, const N: usize, const H: usize, const M: usize> ContourSo
         (): &mut (),
     ) -> PreparedCell<SquaredNormalFields<M>> {
         let of = self.normals.hodographs(cell);
-        let [first, second, along]: [Field<H>; 3] = std::array::from_fn(|k| of.normal_component(k));
+        let [first, second, along]: [BernsteinField<H>; 3] = std::array::from_fn(|k| of.normal_component(k));
         let [u, v] = of.max_speeds();
         let levels = self.levels_in_range(angle_range_to_third_axis(
             &of.normal_component_ranges(),
@@ -153,7 +158,7 @@ impl<C: SheetCells<N>, const N: usize, const H: usize, const M: usize> ContourSo
     }
 
     /// Increases with the cosine of the angle, where H has the sign of cos alpha.
-    fn level_field(&self, base: &SquaredNormalFields<M>, level: usize) -> Field<M> {
+    fn level_field(&self, base: &SquaredNormalFields<M>, level: usize) -> BernsteinField<M> {
         let [sin, cos] = self.classes.others[level];
         let sign = if cos < 0.0 && !self.classes.unsigned { -1.0 } else { 1.0 };
         base.along.linear_combination(sign * sin * sin, &base.across, -sign * cos * cos)

@@ -20,7 +20,7 @@ use crate::cells::SheetCells;
 use crate::checks::unit_vector;
 use crate::index::ConePyramid;
 use crate::ranges::angle_range_to_third_axis;
-use crate::subdivision::Field;
+use crate::subdivision::BernsteinField;
 use crate::{Place, Sheet, Surface, each_sheet};
 use glam::{DVec2, DVec3};
 use gusset_base::error::{Error, Result};
@@ -98,19 +98,19 @@ impl TargetAngle {
     }
 
     /// True if the coefficients prove that no angle deviates by less than `limit`.
-    fn is_deviation_beyond<const H: usize, const M: usize>(&self, normal: &[Field<H>; 3], limit: f64) -> bool {
+    fn is_deviation_beyond<const H: usize, const M: usize>(&self, normal: &[BernsteinField<H>; 3], limit: f64) -> bool {
         let [first, second, along] = normal;
-        let (h, p): (Field<M>, Field<M>) =
+        let (h, p): (BernsteinField<M>, BernsteinField<M>) =
             (sum_of_squared_fields(&[*along]), sum_of_squared_fields(&[*first, *second]));
-        let front = along.range()[0] >= 0.0;
-        let behind = along.range()[1] <= 0.0;
+        let front = along.coefficient_range()[0] >= 0.0;
+        let behind = along.coefficient_range()[1] <= 0.0;
         // Tests whether all angles are at least theta, or, if `below`, at most theta.
         let is_beyond = |theta: f64, below: bool| {
             if !(0.0..=PI).contains(&theta) {
                 return false;
             }
             let (sin, cos) = (libm::sin(theta), libm::cos(theta));
-            let [low, high] = h.linear_combination(sin * sin, &p, -cos * cos).range();
+            let [low, high] = h.linear_combination(sin * sin, &p, -cos * cos).coefficient_range();
             match (below, cos >= 0.0) {
                 (false, true) => behind || high <= 0.0,
                 (false, false) => behind && low >= 0.0,
@@ -130,7 +130,7 @@ fn do_components_vanish(ranges: &[[f64; 2]; 3], rounding_error: f64) -> bool {
 
 /// A part of a cell with the normals over it.
 struct NormalCellPart<const H: usize> {
-    normal: [Field<H>; 3],
+    normal: [BernsteinField<H>; 3],
     from: DVec2,
     size: f64,
     /// The rounding error of components of normals.
@@ -139,8 +139,8 @@ struct NormalCellPart<const H: usize> {
 }
 
 impl<const H: usize> NormalCellPart<H> {
-    fn new(normal: [Field<H>; 3], from: DVec2, size: f64, rounding_error: f64, goal: &TargetAngle) -> Self {
-        let deviation = goal.angle_deviation([0, 1, 2].map(|k| normal[k].evaluate(0.5, 0.5).value), rounding_error);
+    fn new(normal: [BernsteinField<H>; 3], from: DVec2, size: f64, rounding_error: f64, goal: &TargetAngle) -> Self {
+        let deviation = goal.angle_deviation([0, 1, 2].map(|k| normal[k].evaluate_jet(0.5, 0.5).value), rounding_error);
         NormalCellPart { normal, from, size, rounding_error, deviation }
     }
 
@@ -308,7 +308,7 @@ impl<const H: usize, const M: usize> Subdivision<NormalCellPart<H>, 4> for CellA
             let place = Place { sheet: self.sheet, cell: self.cell, u: at.x, v: at.y };
             *self.best = BestAngle { deviation: part.deviation, place: Some(place) };
         }
-        let ranges = part.normal.map(|field| field.range());
+        let ranges = part.normal.map(|field| field.coefficient_range());
         if do_components_vanish(&ranges, part.rounding_error) {
             // The normal does not exist here.
             return Ok(BoxTest::Empty);
@@ -327,7 +327,7 @@ impl<const H: usize, const M: usize> Subdivision<NormalCellPart<H>, 4> for CellA
     }
 
     fn give_up(&mut self, part: NormalCellPart<H>, _exhausted: bool) -> Result<(), Infallible> {
-        let ranges = part.normal.map(|field| field.range());
+        let ranges = part.normal.map(|field| field.coefficient_range());
         self.bound = self.bound.min(self.goal.deviation_bound(angle_range_to_third_axis(&ranges, 0.0)));
         Ok(())
     }

@@ -6,7 +6,7 @@
 
 use crate::Patch;
 use crate::ranges::cross_product_ranges;
-use crate::subdivision::Field;
+use crate::subdivision::BernsteinField;
 use glam::DVec3;
 use gusset_base::geom::aabb::range;
 use gusset_base::geom::bernstein::binomial_row;
@@ -32,13 +32,13 @@ fn add_scaled_product<const A: usize, const M: usize>(
 }
 
 /// The field with the given scaled coefficients of degree M - 1.
-fn field_from_scaled<const M: usize>(scaled: &ScaledCoefficients<M>) -> Field<M> {
+fn field_from_scaled<const M: usize>(scaled: &ScaledCoefficients<M>) -> BernsteinField<M> {
     let by = const { binomial_row::<M>(M - 1) };
     let mut c = *scaled;
     for (row, a) in c.iter_mut().zip(by) {
         row.iter_mut().zip(by).for_each(|(x, b)| *x /= a * b);
     }
-    Field { c }
+    BernsteinField { c }
 }
 
 /// Coefficients multiplied by factors for rows and columns.
@@ -101,7 +101,7 @@ impl<const N: usize> Hodographs<N> {
     }
 
     /// Component k of N as a field of degree 2 N - 3.
-    pub(super) fn normal_component<const M: usize>(&self, k: usize) -> Field<M> {
+    pub(super) fn normal_component<const M: usize>(&self, k: usize) -> BernsteinField<M> {
         const { assert!(M == 2 * N - 2) };
         let (lower, full) = const { (binomial_row::<N>(N - 2), binomial_row::<N>(N - 1)) };
         let (k, l) = ((k + 1) % 3, (k + 2) % 3);
@@ -135,7 +135,7 @@ fn add_derivative_product<const N: usize, const M: usize>(
 }
 
 /// The sum of the squares of fields, which has twice their degree.
-pub(super) fn sum_of_squared_fields<const H: usize, const M: usize>(fields: &[Field<H>]) -> Field<M> {
+pub(super) fn sum_of_squared_fields<const H: usize, const M: usize>(fields: &[BernsteinField<H>]) -> BernsteinField<M> {
     const { assert!(M == 2 * H - 1) };
     let by = const { binomial_row::<H>(H - 1) };
     let mut sum = [[0.0; M]; M];
@@ -156,17 +156,17 @@ mod tests {
         let mut vector = || DVec3::from_array([0; 3].map(|_| random.f64() - 0.5));
         let patch = Patch::<4> { points: std::array::from_fn(|_| std::array::from_fn(|_| vector())) };
         let made = Hodographs::new(&patch, &[DVec3::X, DVec3::Y, DVec3::Z]);
-        let fields: [Field<6>; 3] = std::array::from_fn(|k| made.normal_component(k));
-        let square: Field<11> = sum_of_squared_fields(&fields);
+        let fields: [BernsteinField<6>; 3] = std::array::from_fn(|k| made.normal_component(k));
+        let square: BernsteinField<11> = sum_of_squared_fields(&fields);
         let ranges = made.normal_component_ranges();
         for k in 0..25 {
             let (u, v) = (f64::from(k / 5) / 4.0, f64::from(k % 5) / 4.0);
             let truth = patch.jet(u, v).normal();
             for axis in 0..3 {
-                assert!((fields[axis].evaluate(u, v).value - truth[axis]).abs() < 1e-12);
+                assert!((fields[axis].evaluate_jet(u, v).value - truth[axis]).abs() < 1e-12);
                 assert!(ranges[axis][0] <= truth[axis] && truth[axis] <= ranges[axis][1]);
             }
-            assert!((square.evaluate(u, v).value - truth.length_squared()).abs() < 1e-11);
+            assert!((square.evaluate_jet(u, v).value - truth.length_squared()).abs() < 1e-11);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Normals of a sheet relative to a direction: ranges over cells at little cost.
 //!
 //! Cost: O(N^2) for a cell by its corners or its hodographs; roots as in
-//! [`roots`].
+//! [`find_roots`].
 
 use super::contour_lattice::ContourLattice;
 use super::normals::Hodographs;
@@ -10,7 +10,7 @@ use crate::Surface;
 use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
 use crate::index::BoxPyramid;
 use crate::ranges::cross_product_ranges;
-use crate::subdivision::{Roots, roots};
+use crate::subdivision::{FieldRoots, find_roots};
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -122,8 +122,13 @@ impl<'a, C: SheetCells<N>, const N: usize> ProjectedNormals<'a, C, N> {
         if !(zero(x, rounding_error) && zero(y, rounding_error) && right) {
             return Ok([Vec::new(), Vec::new()]);
         }
-        let mut found = Roots::default();
-        roots([of.normal_component::<H>(0), of.normal_component::<H>(1)], rounding_error, rounding_error, &mut found)?;
+        let mut found = FieldRoots::default();
+        find_roots(
+            [of.normal_component::<H>(0), of.normal_component::<H>(1)],
+            rounding_error,
+            rounding_error,
+            &mut found,
+        )?;
         let along = |at: &DVec2| self.cells.cell_patch(cell[0], cell[1]).jet(at.x, at.y).normal().dot(self.frame[2]);
         found.simple.retain(|at| along(at) * sign > 0.0);
         let unresolved = found.unresolved.iter().map(|cluster| cluster.best.middle.truncate());

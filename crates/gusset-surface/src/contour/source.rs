@@ -2,7 +2,7 @@
 
 use crate::axis::{GridAxis, NODES_PER_CUBIC};
 use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
-use crate::subdivision::Field;
+use crate::subdivision::BernsteinField;
 use glam::{DVec2, DVec3};
 use gusset_base::geom::aabb::range;
 use std::ops::Range;
@@ -68,7 +68,7 @@ pub(super) trait ContourSource<const M: usize>: Sync {
     }
 
     /// The field whose zero set belongs to a level.
-    fn level_field(&self, base: &Self::CellData, level: usize) -> Field<M>;
+    fn level_field(&self, base: &Self::CellData, level: usize) -> BernsteinField<M>;
 
     /// Whether an arc of the zero set of a cell's field belongs to the level, judged at three
     /// places on it. `None` if only a part of it does.
@@ -96,11 +96,15 @@ pub(super) struct PreparedCell<B> {
     pub(super) data: B,
 }
 
-impl<const M: usize> PreparedCell<Field<M>> {
+impl<const M: usize> PreparedCell<BernsteinField<M>> {
     /// Prepares a field from which levels are subtracted.
     #[inline]
-    fn from_field(field: Field<M>, levels: &[f64], rounding_error: f64) -> Self {
-        PreparedCell { levels: levels_between(levels, field.range(), rounding_error), rounding_error, data: field }
+    fn from_field(field: BernsteinField<M>, levels: &[f64], rounding_error: f64) -> Self {
+        PreparedCell {
+            levels: levels_between(levels, field.coefficient_range(), rounding_error),
+            rounding_error,
+            data: field,
+        }
     }
 }
 
@@ -192,7 +196,7 @@ impl ScalarWindow {
     /// The field over a cell. Sums along the rows come first, then across, so that the coefficients
     /// of a common side have the same bits in both cells.
     #[inline]
-    fn cell_field(&self, [i, j]: [usize; 2]) -> Field<4> {
+    fn cell_field(&self, [i, j]: [usize; 2]) -> BernsteinField<4> {
         let (r, c) = (i - self.start[0], j - self.start[1]);
         let (row, column) = (self.first[0][r], self.first[1][c]);
         let mut along = [[0.0; 4]; NODES_PER_CUBIC];
@@ -203,7 +207,7 @@ impl ScalarWindow {
                 }
             }
         }
-        let mut field = Field { c: [[0.0; 4]; 4] };
+        let mut field = BernsteinField { c: [[0.0; 4]; 4] };
         for (sums, weights) in field.c.iter_mut().zip(&self.rows[r]) {
             for (weight, values) in weights.iter().zip(&along) {
                 for (sum, value) in sums.iter_mut().zip(values) {
@@ -268,7 +272,7 @@ where
     D: Fn(usize, usize) -> f64 + Sync,
 {
     type BlockData = NodalBlock;
-    type CellData = Field<4>;
+    type CellData = BernsteinField<4>;
     type BlockCache = CachedWindow;
 
     #[inline]
@@ -331,7 +335,12 @@ where
     }
 
     #[inline]
-    fn prepare_cell(&self, block: &NodalBlock, cell: [usize; 2], cache: &mut CachedWindow) -> PreparedCell<Field<4>> {
+    fn prepare_cell(
+        &self,
+        block: &NodalBlock,
+        cell: [usize; 2],
+        cache: &mut CachedWindow,
+    ) -> PreparedCell<BernsteinField<4>> {
         PreparedCell::from_field(self.cached_window(block, cache).cell_field(cell), self.levels, self.rounding_error)
     }
 
@@ -340,7 +349,7 @@ where
     }
 
     #[inline]
-    fn level_field(&self, base: &Field<4>, level: usize) -> Field<4> {
+    fn level_field(&self, base: &BernsteinField<4>, level: usize) -> BernsteinField<4> {
         subtract_level(base, self.levels[level])
     }
 
@@ -366,8 +375,8 @@ impl<F: Fn(usize, usize) -> f64, D> NodalScalarSource<'_, F, D> {
 
 /// The field minus a number.
 #[inline]
-fn subtract_level<const M: usize>(base: &Field<M>, level: f64) -> Field<M> {
-    Field { c: base.c.map(|row| row.map(|x| x - level)) }
+fn subtract_level<const M: usize>(base: &BernsteinField<M>, level: f64) -> BernsteinField<M> {
+    BernsteinField { c: base.c.map(|row| row.map(|x| x - level)) }
 }
 
 /// The signed distance from a plane, on patches.
@@ -381,16 +390,17 @@ pub(super) struct PlaneDistanceSource<'a, C, const N: usize> {
 
 impl<C: SheetCells<N>, const N: usize> ContourSource<N> for PlaneDistanceSource<'_, C, N> {
     type BlockData = ();
-    type CellData = Field<N>;
+    type CellData = BernsteinField<N>;
     type BlockCache = ();
 
     fn prepare_block(&self, _: [Range<usize>; 2], (): &mut ()) -> Option<()> {
         Some(())
     }
 
-    fn prepare_cell(&self, (): &(), [i, j]: [usize; 2], (): &mut ()) -> PreparedCell<Field<N>> {
+    fn prepare_cell(&self, (): &(), [i, j]: [usize; 2], (): &mut ()) -> PreparedCell<BernsteinField<N>> {
         let patch = self.cells.cell_patch(i, j);
-        let heights = Field { c: patch.points.map(|row| row.map(|point| (point - self.origin).dot(self.normal))) };
+        let heights =
+            BernsteinField { c: patch.points.map(|row| row.map(|point| (point - self.origin).dot(self.normal))) };
         PreparedCell::from_field(heights, self.levels, self.rounding_error)
     }
 
@@ -398,7 +408,7 @@ impl<C: SheetCells<N>, const N: usize> ContourSource<N> for PlaneDistanceSource<
         self.levels.len().max(1)
     }
 
-    fn level_field(&self, base: &Field<N>, level: usize) -> Field<N> {
+    fn level_field(&self, base: &BernsteinField<N>, level: usize) -> BernsteinField<N> {
         subtract_level(base, self.levels[level])
     }
 

@@ -4,7 +4,7 @@ use super::line_search::MAX_RELATIVE_ROUNDING;
 use crate::Place;
 use crate::cells::{SheetCells, cells_of_block};
 use crate::index::BoxPyramid;
-use crate::subdivision::{Crossings, CurveWorkspace, crossings};
+use crate::subdivision::{CrossingWorkspace, CurvePatchCrossings, find_crossings};
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -33,8 +33,8 @@ pub(super) struct CurvePointInCell {
 /// Memory that the cells of a segment reuse.
 #[derive(Default)]
 struct CurveSolverWorkspace<const M: usize, const N: usize> {
-    workspace: CurveWorkspace<M, N>,
-    found: Crossings,
+    workspace: CrossingWorkspace<M, N>,
+    found: CurvePatchCrossings,
     /// Bound of the error of control points.
     rounding_error: f64,
 }
@@ -178,7 +178,7 @@ impl<C: SheetCells<N>, const M: usize, const N: usize> CurveSheetSearch<'_, C, M
         let mut local = patch;
         local.points.as_flattened_mut().iter_mut().for_each(|point| *point -= origin);
         let CurveSolverWorkspace { workspace, found, rounding_error } = solver;
-        crossings(&part.points, &local, *rounding_error, self.tolerance, workspace, found)?;
+        find_crossings(&part.points, &local, *rounding_error, self.tolerance, workspace, found)?;
         let along = |t: f64| self.segment as f64 + (part.from + part.size * t).clamp(0.0, 1.0);
         let simple = found.simple.iter().map(|crossing| (crossing.t, [crossing.t; 2], crossing.place, false));
         let unresolved = found.unresolved.iter().map(|cluster| {

@@ -3,7 +3,7 @@
 use super::line::{Hit, HitSelection, Line};
 use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
 use crate::index::{BoxPyramid, LineSlabTest, OrientedBox};
-use crate::subdivision::{Crossings, CurveWorkspace, Roots, crossings, simple_roots};
+use crate::subdivision::{CrossingWorkspace, CurvePatchCrossings, FieldRoots, find_crossings, find_simple_roots};
 use crate::{Patch, Place};
 use glam::{DVec2, DVec3};
 use gusset_base::alloc;
@@ -14,9 +14,9 @@ use gusset_base::geom::subdivision::UnresolvedCluster;
 /// Memory that searches of patches of degree N - 1 reuse.
 #[derive(Default)]
 pub(super) struct PatchRootWorkspace<const N: usize> {
-    roots: Roots<N>,
-    workspace: CurveWorkspace<2, N>,
-    crossings: Crossings,
+    roots: FieldRoots<N>,
+    workspace: CrossingWorkspace<2, N>,
+    crossings: CurvePatchCrossings,
 }
 
 /// Memory for sheets of all kinds, and the hits.
@@ -217,7 +217,7 @@ impl<C: SheetCells<N>, const N: usize> LineBlockSearch<'_, C, N> {
 
     fn search_cell(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
         let fields = self.cells.coordinates_along(i, j, self.ray.foot, self.ray.across);
-        if !simple_roots(fields, self.ray.rounding_error, self.tolerance, &mut self.solver.roots) {
+        if !find_simple_roots(fields, self.ray.rounding_error, self.tolerance, &mut self.solver.roots) {
             return self.search_as_curve(i, j, hits);
         }
         let roots = &self.solver.roots.simple;
@@ -235,7 +235,7 @@ impl<C: SheetCells<N>, const N: usize> LineBlockSearch<'_, C, N> {
         let Some(segment) = self.segment_beside_patch(&patch) else { return Ok(()) };
         let [start, end] = segment;
         let found = &mut self.solver.crossings;
-        crossings(&segment, &patch, self.ray.rounding_error, self.tolerance, &mut self.solver.workspace, found)?;
+        find_crossings(&segment, &patch, self.ray.rounding_error, self.tolerance, &mut self.solver.workspace, found)?;
         for crossing in &self.solver.crossings.simple {
             self.add_hit(&patch, [i, j], crossing.place, None, hits)?;
         }

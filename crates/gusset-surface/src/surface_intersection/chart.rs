@@ -21,7 +21,7 @@
 use super::coordinate_net::CoordinateNet;
 use super::equation::{Equation, Frame, OTHERS};
 use crate::Patch;
-use crate::subdivision::Field;
+use crate::subdivision::BernsteinField;
 use glam::{DVec3, DVec4};
 use gusset_base::geom::subdivision::BoxTest;
 
@@ -65,8 +65,8 @@ fn scaled_about_middle([low, high]: [f64; 2], by: f64) -> [f64; 2] {
 }
 
 /// The gap between the ranges of two fields; negative if the ranges overlap.
-fn gap<const N: usize, const M: usize>(a: &Field<N>, b: &Field<M>) -> f64 {
-    let ([low, high], [others_low, others_high]) = (a.range(), b.range());
+fn gap<const N: usize, const M: usize>(a: &BernsteinField<N>, b: &BernsteinField<M>) -> f64 {
+    let ([low, high], [others_low, others_high]) = (a.coefficient_range(), b.coefficient_range());
     let (above, below) = (low - others_high, others_low - high);
     if above > below { above } else { below }
 }
@@ -164,7 +164,8 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
     /// the pieces are within `tolerance` of each other.
     pub(super) fn is_within(&self, frame: &Frame, thickness: f64, tolerance: f64) -> bool {
         let thin = |normal: DVec3| {
-            let (a, b) = (self.nets.a.project(normal).range(), self.nets.b.project(normal).range());
+            let (a, b) =
+                (self.nets.a.project(normal).coefficient_range(), self.nets.b.project(normal).coefficient_range());
             let thickest = (a[1] - a[0]).max(b[1] - b[0]);
             thickest <= thickness && a[1].max(b[1]) - a[0].min(b[0]) <= tolerance + 2.0 * thickness
         };
@@ -221,8 +222,8 @@ fn legs<const N: usize>(patch: &Patch<N>) -> [f64; 2] {
 /// Bounds of the slopes of three parameters with respect to the free one, in fractions of the box.
 /// Returns `None` if the diagonal may not be dominant.
 fn slopes<const N: usize, const M: usize>(
-    a: &[Field<N>; 3],
-    b: &[Field<M>; 3],
+    a: &[BernsteinField<N>; 3],
+    b: &[BernsteinField<M>; 3],
     others: [usize; 3],
     free: usize,
 ) -> Option<[[f64; 2]; 3]> {
@@ -230,7 +231,7 @@ fn slopes<const N: usize, const M: usize>(
     // (I + E) x' = r, |E| <= errors.
     let (mut errors, mut right) = ([[0.0; 3]; 3], [[0.0; 2]; 3]);
     for k in 0..3 {
-        let ([s, t], [u, v]) = (a[k].slope_ranges(), b[k].slope_ranges());
+        let ([s, t], [u, v]) = (a[k].derivative_ranges(), b[k].derivative_ranges());
         let (of_a, of_b) =
             ([s, t].map(|x| scaled_about_middle(x, growth_a)), [u, v].map(|x| scaled_about_middle(x, growth_b)));
         let columns = [of_a[0], of_a[1], [-of_b[0][1], -of_b[0][0]], [-of_b[1][1], -of_b[1][0]]];

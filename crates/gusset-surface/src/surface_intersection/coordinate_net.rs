@@ -2,13 +2,13 @@
 //! numbers.
 
 use crate::Patch;
-use crate::subdivision::Field;
+use crate::subdivision::BernsteinField;
 use glam::DVec3;
 use gusset_base::geom::bernstein::basis_with_slopes;
 
 /// The fields of x, y and z.
 #[derive(Debug, Clone)]
-pub(super) struct CoordinateNet<const N: usize>([Field<N>; 3]);
+pub(super) struct CoordinateNet<const N: usize>([BernsteinField<N>; 3]);
 
 /// The weighted sum of rows.
 #[inline(always)]
@@ -26,7 +26,7 @@ fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
 }
 
 impl<const N: usize> CoordinateNet<N> {
-    pub(super) const ZERO: Self = CoordinateNet([Field { c: [[0.0; N]; N] }; 3]);
+    pub(super) const ZERO: Self = CoordinateNet([BernsteinField { c: [[0.0; N]; N] }; 3]);
 
     /// Creates the net of a patch relative to an origin. Also returns the largest absolute
     /// coordinate before and after the shift.
@@ -72,7 +72,7 @@ impl<const N: usize> CoordinateNet<N> {
 
     /// The component of the net along a direction.
     #[inline]
-    pub(super) fn project(&self, axis: DVec3) -> Field<N> {
+    pub(super) fn project(&self, axis: DVec3) -> BernsteinField<N> {
         let mut c = self.0[0].c;
         let [_, y, z] = &self.0;
         for (row, (y, z)) in c.iter_mut().zip(y.c.iter().zip(&z.c)) {
@@ -80,7 +80,7 @@ impl<const N: usize> CoordinateNet<N> {
                 *x = axis.x * *x + axis.y * y + axis.z * z;
             }
         }
-        Field { c }
+        BernsteinField { c }
     }
 
     /// The halves at u = 1/2.

@@ -152,7 +152,7 @@ impl NearPair<'_> {
 /// Bounds of the derivatives of a net along two rows. A negative sign reverses a parameter.
 fn bounds<const N: usize>(net: &CoordinateNet<N>, rows: [DVec3; 2], signs: [f64; 2]) -> Slopes {
     rows.map(|row| {
-        let ranges = net.project(row).slope_ranges();
+        let ranges = net.project(row).derivative_ranges();
         [0, 1].map(|k| {
             let [low, high] = ranges[k];
             if signs[k] < 0.0 { [-high, -low] } else { [low, high] }
