@@ -43,7 +43,7 @@ pub(super) fn decide_crossing_by_corners(corners: [f64; 4], slack: f64, rounding
     if slope <= 0.0 || slope.is_nan() || corners.iter().any(|x| x.is_nan()) {
         return None;
     }
-    // Equivalent to the signs after `snapped`.
+    // Equivalent to the signs after `snap_to_zero`.
     let signs = corners.map(|x| counts_as_positive(x + rounding_error));
     let mut sides = [SIDES_PER_CELL; 2];
     for (side, [start, end]) in CORNERS_OF_SIDES.into_iter().enumerate() {

@@ -231,7 +231,7 @@ impl OrientedBox {
 mod tests {
     use super::*;
 
-    /// `round_down` returns the largest f32 not above the number, and `round_up` the smallest f32
+    /// `round_down_to_f32` returns the largest f32 not above the number, `round_up_to_f32` the smallest
     /// not below it.
     #[test]
     fn rounding_is_directed_and_sharp() {

@@ -133,7 +133,8 @@ impl Surface<'_> {
         for sheet in 0..self.len() {
             let (kind, index) = self.sheet_and_index(sheet);
             each_sheet!(kind, cells => {
-                let search = CurveSheetSearch { cells, index, sheet: sheet as u32, segment: k, tolerance: self.tolerance() };
+                let (sheet, tolerance) = (sheet as u32, self.tolerance());
+                let search = CurveSheetSearch { cells, index, sheet, segment: k, tolerance };
                 search.find_common_points(&part, &mut finder.finds)
             })?;
         }

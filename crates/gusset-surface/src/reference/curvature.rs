@@ -21,7 +21,11 @@ const MAX_CELL_HALVINGS: u32 = 5;
 /// # Errors
 /// [`gusset_base::Error::OutOfMemory`], [`gusset_base::Error::Cancelled`].
 pub fn curvature_bound(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<f64> {
-    let of_cell = |[i, j]: [usize; 2]| each_sheet!(sheet, cells => SheetCells::cell_patch(cells, i, j).patch_curvature_bound(MAX_CELL_HALVINGS));
+    let of_cell = |[i, j]: [usize; 2]| {
+        each_sheet!(sheet, cells => {
+            SheetCells::cell_patch(cells, i, j).patch_curvature_bound(MAX_CELL_HALVINGS)
+        })
+    };
     Ok(compute_by_cell(sheet.cells(), "cells", job, of_cell)?.into_iter().fold(0.0, f64::max))
 }
 

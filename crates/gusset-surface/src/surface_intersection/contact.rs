@@ -323,7 +323,8 @@ impl ContactSearch<'_> {
             let Place { sheet, cell: [i, j], u, v } = places[k];
             let part = [[u, u + size[0]], [v, v + size[1]]].map(|[from, to]| [from, to.min(1.0)]);
             each_sheet!(self.surfaces[k].sheet(sheet as usize), cells => {
-                HeightGraph::from_patch(&crate::cells::SheetCells::cell_patch(cells, i as usize, j as usize), part, frame)
+                let patch = crate::cells::SheetCells::cell_patch(cells, i as usize, j as usize);
+                HeightGraph::from_patch(&patch, part, frame)
             })
         };
         Some(FormDefiniteness::from_difference(&over(0, [size.x, size.y])?, &over(1, [size.z, size.w])?))
