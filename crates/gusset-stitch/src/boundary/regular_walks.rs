@@ -64,7 +64,8 @@ const HALF_EDGES_PER_REPORT: usize = 1 << 15;
 pub(super) fn find_regular_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Option<Vec<Vec<DirectedHalfEdge>>>> {
     job.step(0.0, "looking for the boundary")?;
     // Determined once, because the query takes time.
-    let threads = par::resolve_thread_count(mesh.faces().len().div_ceil(FACES_PER_TASK).min(MAX_SUMMING_THREADS), job.threads());
+    let threads =
+        par::resolve_thread_count(mesh.faces().len().div_ceil(FACES_PER_TASK).min(MAX_SUMMING_THREADS), job.threads());
     let sums = BorderSums::sum_over_mesh(mesh, threads)?;
     job.step(0.6, "looking for the boundary")?;
     let parts = par::map(threads, par::ranges(mesh.faces().len(), FACES_PER_TASK), |range| {
