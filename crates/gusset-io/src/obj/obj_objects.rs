@@ -8,8 +8,11 @@ use crate::error::ReadError;
 use crate::mesh::{Mesh, Positions};
 use std::ops::Range;
 
-/// Largest number of objects that become meshes.
+/// Largest number of objects that become meshes, and the largest number if they have few corners each, so that meshes do not take much
+/// more memory than the file.
 const MAX_OBJECTS: usize = 1 << 16;
+const MAX_SMALL_OBJECTS: usize = 1 << 10;
+const MIN_MEAN_CORNERS: usize = 4;
 
 /// Vertices and faces of an object.
 struct Block<'a> {
@@ -42,7 +45,9 @@ fn corner_range(content: &Content<'_>, faces: &Range<usize>) -> Range<usize> {
 /// Returns whether each object becomes a mesh: there are several with faces, the faces of each use vertices of its own alone, and
 /// vertices of objects without faces all belong to polylines or points.
 pub(super) fn is_split_by_objects(content: &Content<'_>) -> Result<bool, ReadError> {
-    if content.objects.len() < 2 || content.objects.len() > MAX_OBJECTS {
+    let count = content.objects.len();
+    let has_few_corners = content.corners.len() < MIN_MEAN_CORNERS * count;
+    if count < 2 || count > if has_few_corners { MAX_SMALL_OBJECTS } else { MAX_OBJECTS } {
         return Ok(false);
     }
     let mut is_in_element = Vec::new();
@@ -76,6 +81,9 @@ pub(super) fn document_from_faces(
         return Ok(Document::from_mesh(whole_mesh(content, face_materials)?));
     }
     let mut document = Document::default();
+    let count = blocks(&content).filter(|block| !block.faces.is_empty()).count();
+    document.meshes.try_reserve_exact(count)?;
+    document.placements.try_reserve_exact(count)?;
     for block in blocks(&content).filter(|block| !block.faces.is_empty()) {
         let mesh = mesh_from_block(&content, &face_materials, &block)?;
         let index = document.meshes.len() as u32;
