@@ -61,7 +61,10 @@ pub(super) fn append_faces(
     let (triangles, rest) = indices.as_chunks::<3>();
     if !rest.is_empty() {
         let count = rest.len();
-        let text = format!("{count} {} after the last triangle and are ignored", if count == 1 { "index follows" } else { "indices follow" });
+        let text = format!(
+            "{count} {} after the last triangle and are ignored",
+            if count == 1 { "index follows" } else { "indices follow" }
+        );
         notes.push(Note::new(Place::Whole, text.replace("and are", if count == 1 { "and is" } else { "and are" })));
     }
     let is_grouped = primitive.get("extensions").and_then(|all| all.get(POLYGON_EXTENSION)).is_some();
@@ -83,7 +86,10 @@ pub(super) fn append_faces(
                 place = first + count;
             }
             None => {
-                notes.push(Note::new(Place::Whole, "lists of polygons in extras do not fit the triangles and are ignored"));
+                notes.push(Note::new(
+                    Place::Whole,
+                    "lists of polygons in extras do not fit the triangles and are ignored",
+                ));
                 break;
             }
         }

@@ -106,7 +106,8 @@ impl<'r, 'a> MeshReader<'r, 'a> {
                 None => self.unread.attribute(&key.text().unwrap_or_default()),
             }
         }
-        self.unread.has_morph_targets |= primitive.get("targets").is_some_and(|targets| targets.items().next().is_some());
+        self.unread.has_morph_targets |=
+            primitive.get("targets").is_some_and(|targets| targets.items().next().is_some());
         let is_draco = primitive.get("extensions").is_some_and(|all| all.get(DRACO).is_some());
         let Some(position) = source[0] else {
             return Err(malformed(format!("mesh {mesh}, primitive {number} has no positions")));
