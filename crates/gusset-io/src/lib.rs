@@ -23,6 +23,7 @@ mod material;
 mod merging;
 mod mesh;
 mod options;
+mod outline_pen;
 mod parallel_fill;
 mod polygons;
 mod precision;
