@@ -28,6 +28,7 @@ mod mesh;
 mod options;
 pub mod packed;
 mod pending_file;
+mod outline_pen;
 mod parallel_fill;
 mod polygons;
 mod precision;
