@@ -23,6 +23,9 @@ mod precision;
 mod resources;
 mod text;
 
+#[cfg(test)]
+mod document_checks;
+
 mod dxf;
 mod gltf;
 mod obj;

@@ -25,8 +25,7 @@ pub(crate) fn merge_vertices(mesh: &Mesh) -> Merged<'_> {
     for (index, &vertex) in kept.iter().enumerate() {
         indices[vertex as usize] = index as u32;
     }
-    let corners: Vec<u32> =
-        mesh.corners.iter().map(|&vertex| indices[mesh.representative(vertex) as usize]).collect();
+    let corners: Vec<u32> = mesh.corners.iter().map(|&vertex| indices[mesh.representative(vertex) as usize]).collect();
     merged.lost_colours = differs(mesh, &mesh.vertex_colours);
     merged.lost_properties = mesh
         .properties

@@ -68,7 +68,8 @@ impl<'a> Filling<'a> {
             Positions::F32(points) => make_room(points, believed)?,
             Positions::F64(points) => make_room(points, believed)?,
         }
-        let mut normals = columns.normal.filter(|_| parts.has_normals).map(|columns| (columns, at_vertices(&mut mesh.normals)));
+        let mut normals =
+            columns.normal.filter(|_| parts.has_normals).map(|columns| (columns, at_vertices(&mut mesh.normals)));
         let mut texcoords =
             columns.texcoord.filter(|_| parts.has_texcoords).map(|columns| (columns, at_vertices(&mut mesh.texcoords)));
         let colour = columns.colour.filter(|_| parts.has_colours);

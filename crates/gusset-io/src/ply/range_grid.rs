@@ -72,7 +72,10 @@ fn median_edge(mesh: &Mesh, grid: &[u32], columns: usize) -> Option<f32> {
             for column in 1..columns {
                 let cell = [above[column - 1], above[column], below[column], below[column - 1]];
                 for triangle in cell_triangles(mesh, cell).into_iter().flatten() {
-                    triangle_edges(mesh, triangle).into_iter().filter(|edge| *edge > 0.0).for_each(|e| visit(e.to_bits()));
+                    triangle_edges(mesh, triangle)
+                        .into_iter()
+                        .filter(|edge| *edge > 0.0)
+                        .for_each(|e| visit(e.to_bits()));
                 }
             }
             above = below;

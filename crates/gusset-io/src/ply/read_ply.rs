@@ -55,17 +55,30 @@ impl Content {
         let mut face_parts = content.share_face_columns(header, &mut roles);
         for (element, role) in header.elements.iter().zip(&roles).filter(|(element, _)| element.count > 0) {
             rows.begin(element)?;
-            let believed = believed_count(element, header.encoding, rows.remaining());
+            let believed = |list| believed_count(element, header.encoding, rows.remaining(), list);
             let mesh = &mut content.mesh;
             match role {
                 Role::Vertices(columns) => {
+                    let believed = believed(None);
                     read_vertices(&mut rows, element, columns, vertex_parts, believed, mesh, &mut content.notes)?;
                 }
                 Role::Faces(columns) => {
-                    content.dropped += face_parts.read_faces(&mut rows, element, columns, believed, count, mesh, &mut content.notes)?;
+                    let believed = believed(Some((columns.vertices, 3)));
+                    content.dropped += face_parts.read_faces(
+                        &mut rows,
+                        element,
+                        columns,
+                        believed,
+                        count,
+                        mesh,
+                        &mut content.notes,
+                    )?;
                 }
                 Role::Strips(list) => face_parts.read_strips(&mut rows, element, *list, count, mesh)?,
-                Role::Grid => content.grid = read_grid(&mut rows, element, believed, count)?,
+                Role::Grid => {
+                    let believed = believed(None);
+                    content.grid = read_grid(&mut rows, element, believed, count)?;
+                }
                 Role::Other => rows.skip(element)?,
             }
         }
@@ -249,20 +262,30 @@ fn role(header: &Header<'_>, element: &Element<'_>) -> Result<Role, ReadError> {
     }
     if element.is_named("vertex") {
         let columns = VertexColumns::find(element);
-        return columns.map_or_else(|| malformed("the vertices lack the properties x, y and z"), |found| Ok(Role::Vertices(Box::new(found))));
+        return columns.map_or_else(
+            || malformed("the vertices lack the properties x, y and z"),
+            |found| Ok(Role::Vertices(Box::new(found))),
+        );
     }
     if element.is_named("face") {
         let columns = FaceColumns::find(element);
-        return columns.map_or_else(|| malformed("the faces lack the list vertex_indices"), |found| Ok(Role::Faces(Box::new(found))));
+        return columns.map_or_else(
+            || malformed("the faces lack the list vertex_indices"),
+            |found| Ok(Role::Faces(Box::new(found))),
+        );
     }
     if element.is_named("tristrips") {
         let list = index_list(element);
-        return list.map_or_else(|| malformed("the strips lack the list vertex_indices"), |list| Ok(Role::Strips(list)));
+        return list
+            .map_or_else(|| malformed("the strips lack the list vertex_indices"), |list| Ok(Role::Strips(list)));
     }
     let is_grid = element.is_named("range_grid")
         && !element.columns.is_empty()
         && header.grid_rows.checked_mul(header.grid_columns) == Some(element.count)
-        && !header.elements.iter().any(|other| other.count > 0 && (other.is_named("face") || other.is_named("tristrips")));
+        && !header
+            .elements
+            .iter()
+            .any(|other| other.count > 0 && (other.is_named("face") || other.is_named("tristrips")));
     Ok(if is_grid { Role::Grid } else { Role::Other })
 }
 

@@ -18,7 +18,8 @@ pub(crate) fn read_scan_list(
     let mut scene = Scene::new(resources, options);
     loop {
         let line = scanner.rest_of_line();
-        if let Some(rest) = line.strip_prefix(b"bmesh").filter(|rest| rest.first().is_none_or(u8::is_ascii_whitespace)) {
+        if let Some(rest) = line.strip_prefix(b"bmesh").filter(|rest| rest.first().is_none_or(u8::is_ascii_whitespace))
+        {
             let place = Place::Line(scanner.line());
             let (name, pose) = name_and_pose(rest, place)?;
             scene.add(&name, &pose, place)?;
