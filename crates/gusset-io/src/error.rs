@@ -157,7 +157,8 @@ impl From<std::collections::TryReserveError> for WriteError {
 }
 
 /// Replaces control characters, and shortens texts of more than 400 characters.
-pub(crate) fn printable(text: &str) -> String {
+#[must_use]
+pub fn printable(text: &str) -> String {
     const MAX_CHARACTERS: usize = 400;
     let mut made: String = text
         .chars()

@@ -32,7 +32,7 @@ pub fn write_file(path: &Path, document: &Document, options: &WriteOptions) -> R
     let mut beside: Vec<(PendingFile, PathBuf)> = Vec::new();
     let stem = path.file_stem().map_or_else(|| "mesh".into(), std::ffi::OsStr::to_string_lossy);
     let losses = {
-        let mut out = BufWriter::new(&mut pending[0].0.file);
+        let mut out = BufWriter::new(Stoppable { file: &mut pending[0].0.file, stop: options.stop.as_deref() });
         let mut add = |name: &str, bytes: &[u8]| {
             let path = folder.join(name);
             let mut file = PendingFile::create(&path)?;
@@ -55,6 +55,25 @@ pub fn write_file(path: &Path, document: &Document, options: &WriteOptions) -> R
         file.replace(&path)?;
     }
     Ok(losses)
+}
+
+/// A file whose writing can be stopped.
+struct Stoppable<'a> {
+    file: &'a mut tempfile::NamedTempFile,
+    stop: Option<&'a (dyn Fn() -> bool + Send + Sync)>,
+}
+
+impl std::io::Write for Stoppable<'_> {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        if self.stop.is_some_and(|stop| stop()) {
+            return Err(std::io::Error::other("stopped"));
+        }
+        self.file.write(bytes)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.file.flush()
+    }
 }
 
 fn format_from_path(path: &Path) -> Option<Format> {

@@ -8,12 +8,15 @@
 //! the line or element. Each reader takes time linear in the file, and memory of at most [`MEMORY_MULTIPLE`] times its size.
 //!
 //! One folder holds one format. `document`, `mesh` and `material` are the model that all formats share; `text` reads and writes numbers
-//! and words; `polygons` splits polygons into triangles; `precision` tells what single precision would move.
+//! and words; `polygons` splits polygons into triangles, by `ear_clipping` and `least_overlap`; `precision` tells what single precision
+//! would move.
 
 mod document;
+mod ear_clipping;
 mod error;
 mod files;
 mod format;
+mod least_overlap;
 mod material;
 mod merging;
 mod mesh;
@@ -25,6 +28,10 @@ mod text;
 
 #[cfg(test)]
 mod document_checks;
+#[cfg(test)]
+mod polygons_tests;
+#[cfg(test)]
+mod test_measures;
 
 mod dxf;
 mod gltf;
@@ -38,7 +45,7 @@ mod svg;
 mod three_mf;
 
 pub use document::{Curves, Document, Placement, PointCloud};
-pub use error::{Loss, Note, Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
+pub use error::{Loss, Note, Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind, printable};
 pub use files::{read_file, write_file};
 pub use format::{Content, Format, read, write};
 pub use material::{Image, ImageData, Material, NO_MATERIAL, NativeMaterial};

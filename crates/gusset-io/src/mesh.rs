@@ -27,7 +27,7 @@ impl Positions {
         }
     }
 
-    /// Returns whether there are no points.
+    /// Returns whether the list is empty.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0

@@ -1,4 +1,4 @@
-//! What single precision moves.
+//! Moves of points by rounding to single precision.
 
 use crate::error::{WriteError, WriteErrorKind};
 use crate::mesh::{Mesh, Positions};
