@@ -9,22 +9,27 @@
 //!
 //! One folder holds one format. `document`, `mesh` and `material` are the model that all formats share; `text` reads and writes numbers
 //! and words; `polygons` splits polygons into triangles, by `ear_clipping` and `least_overlap`; `precision` tells what single precision
-//! would move.
+//! would move; `scene` joins meshes for formats that hold one; `vertex_merging` finds equal positions.
 
 mod document;
 mod ear_clipping;
 mod error;
 mod files;
+mod foreign_files;
 mod format;
 mod least_overlap;
 mod material;
 mod merging;
 mod mesh;
 mod options;
+mod parallel_fill;
 mod polygons;
 mod precision;
 mod resources;
+mod scene;
 mod text;
+mod text_encoding;
+mod vertex_merging;
 
 #[cfg(test)]
 mod document_checks;
