@@ -1,9 +1,10 @@
 //! The content of a file.
 
-use crate::error::{Note, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
-use crate::material::{Image, Material, NO_MATERIAL};
-use crate::mesh::{Mesh, Positions, Property, Values};
+use crate::error::{Note, Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
+use crate::material::{Image, ImageData, Material, NO_MATERIAL, NativeMaterial};
+use crate::mesh::{Mesh, NumberKind, Positions, Property, Values};
 use std::borrow::Cow;
+use std::sync::Arc;
 
 /// Polylines. Curve `c` has points `offsets[c]` to `offsets[c + 1] - 1`; a closed curve also joins the last point to the first.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,6 +77,34 @@ impl Document {
     pub fn from_mesh(mesh: Mesh) -> Self {
         let placement = Placement { name: mesh.name.clone(), mesh: 0, transform: Placement::IDENTITY };
         Self { meshes: vec![mesh], placements: vec![placement], ..Self::default() }
+    }
+
+    /// Leaves out images in files, with a note for each. A document from a stream needs this before it is written to a file, because
+    /// the stream has no folder in which names could be looked up.
+    pub fn drop_image_files(&mut self) {
+        for image in &mut self.images {
+            if let ImageData::File(name) = &image.data {
+                self.notes.push(Note::new(Place::Whole, format!("image left out: the file {name} was not given")));
+                image.data = ImageData::Bytes(Arc::from([]));
+            }
+        }
+    }
+
+    /// Changes the names of the files that images and materials refer to. A document that moves to another folder needs this, because
+    /// names are relative to the folder of its file.
+    pub fn rename_files(&mut self, rename: impl Fn(&str) -> String) {
+        for image in &mut self.images {
+            if let ImageData::File(name) = &mut image.data {
+                *name = rename(name);
+            }
+        }
+        for material in &mut self.materials {
+            if let Some(NativeMaterial::Mtl(lines)) = &mut material.native {
+                for line in lines {
+                    *line = crate::obj::with_renamed_file(line, &rename);
+                }
+            }
+        }
     }
 
     /// Joins all placed meshes into one, in the coordinates of the scene. Meshes that are placed by the identity keep the bits of their
@@ -199,11 +228,11 @@ fn append_positions(
     Ok(())
 }
 
-fn transformed_point(matrix: &[[f64; 4]; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
+pub(crate) fn transformed_point(matrix: &[[f64; 4]; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
     matrix.map(|row| row[0] * x + row[1] * y + row[2] * z + row[3])
 }
 
-fn determinant(m: &[[f64; 4]; 3]) -> f64 {
+pub(crate) fn determinant(m: &[[f64; 4]; 3]) -> f64 {
     let [cofactors, ..] = cofactor_rows(m);
     m[0][0] * cofactors[0] + m[0][1] * cofactors[1] + m[0][2] * cofactors[2]
 }
@@ -215,7 +244,7 @@ fn cofactor_rows(m: &[[f64; 4]; 3]) -> [[f64; 3]; 3] {
     [cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])]
 }
 
-fn transformed_normal(matrix: &[[f64; 4]; 3], normal: [f64; 3]) -> [f64; 3] {
+pub(crate) fn transformed_normal(matrix: &[[f64; 4]; 3], normal: [f64; 3]) -> [f64; 3] {
     let sign = determinant(matrix).signum();
     let turned = cofactor_rows(matrix).map(|row| sign * (row[0] * normal[0] + row[1] * normal[1] + row[2] * normal[2]));
     let length = turned.iter().map(|part| part * part).sum::<f64>().sqrt();
@@ -309,6 +338,10 @@ fn append_properties(joined: &mut Mesh, mesh: &Mesh, vertices: usize, faces: usi
     for property in &mut all {
         if let Some(added) = mesh.properties.iter().find(|added| is_one_property(property, added)) {
             property.values.truncate(lengths(property.domain).0);
+            if property.kind != added.kind {
+                // The only type that holds the numbers of all types.
+                property.kind = NumberKind::F64;
+            }
             property.values.extend_from_slice(&added.values);
         }
         property.values.resize(lengths(property.domain).1, 0.0);

@@ -146,7 +146,22 @@ impl std::error::Error for WriteError {}
 
 impl From<std::io::Error> for WriteError {
     fn from(error: std::io::Error) -> Self {
-        Self::new(WriteErrorKind::Unwritable, error.to_string())
+        let is_full = error.kind() == std::io::ErrorKind::OutOfMemory;
+        let kind = if is_full { WriteErrorKind::OutOfMemory } else { WriteErrorKind::Unwritable };
+        Self::new(kind, write_reason(&error))
+    }
+}
+
+/// Returns why a file cannot be written.
+pub(crate) fn write_reason(error: &std::io::Error) -> String {
+    use std::io::ErrorKind;
+    match error.kind() {
+        ErrorKind::NotFound => "the folder does not exist".into(),
+        ErrorKind::PermissionDenied => "permission denied".into(),
+        ErrorKind::ReadOnlyFilesystem => "the file system is read-only".into(),
+        ErrorKind::StorageFull => "no space is left on the disk".into(),
+        ErrorKind::OutOfMemory => "out of memory".into(),
+        _ => error.to_string(),
     }
 }
 

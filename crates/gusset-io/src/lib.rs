@@ -9,13 +9,14 @@
 //!
 //! One folder holds one format. `document`, `mesh` and `material` are the model that all formats share; `text` reads and writes numbers
 //! and words; `polygons` splits polygons into triangles, by `ear_clipping` and `least_overlap`; `precision` tells what single precision
-//! would move; `scene` joins meshes for formats that hold one; `vertex_merging` finds equal positions.
+//! would move; `scene` joins meshes for formats that hold one; `vertex_merging` finds equal positions. `files` reads and writes paths, `folder` finds the files that a file refers to, and `pending_file` replaces a file whole.
 
 mod document;
 mod ear_clipping;
 mod error;
 mod files;
 mod foreign_files;
+mod folder;
 mod format;
 mod least_overlap;
 mod material;
@@ -23,6 +24,7 @@ mod merging;
 mod mesh;
 mod options;
 mod parallel_fill;
+mod pending_file;
 mod polygons;
 mod precision;
 mod resources;
@@ -34,9 +36,15 @@ mod vertex_merging;
 #[cfg(test)]
 mod document_checks;
 #[cfg(test)]
+mod document_tests;
+#[cfg(test)]
+mod files_tests;
+#[cfg(test)]
 mod polygons_tests;
 #[cfg(test)]
 mod test_measures;
+#[cfg(test)]
+mod text_tests;
 
 mod dxf;
 mod gltf;

@@ -10,6 +10,11 @@ pub trait Resources {
     /// # Errors
     /// `Unreadable` if the file does not exist, is not a regular file or is outside of the folder. `OutOfMemory`.
     fn load(&self, name: &str) -> Result<Vec<u8>, ReadError>;
+
+    /// Returns the name by which a written file refers to the file `name`.
+    fn written_name(&self, name: &str) -> String {
+        name.to_owned()
+    }
 }
 
 /// Refuses all names.

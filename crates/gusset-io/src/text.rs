@@ -239,10 +239,18 @@ impl<'a> TextWriter<'a> {
     }
 
     /// Appends bytes.
+    #[inline]
     pub(crate) fn bytes(&mut self, bytes: &[u8]) -> io::Result<()> {
         if self.buffer.len() + bytes.len() > BUFFER_BYTES {
-            self.flush_buffer()?;
+            return self.bytes_beyond_buffer(bytes);
         }
+        self.buffer.extend_from_slice(bytes);
+        Ok(())
+    }
+
+    #[cold]
+    fn bytes_beyond_buffer(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.flush_buffer()?;
         if bytes.len() > BUFFER_BYTES {
             return self.out.write_all(bytes);
         }
@@ -251,24 +259,29 @@ impl<'a> TextWriter<'a> {
     }
 
     /// Appends text.
+    #[inline]
     pub(crate) fn text(&mut self, text: &str) -> io::Result<()> {
         self.bytes(text.as_bytes())
     }
 
     /// Appends an integer.
     pub(crate) fn integer(&mut self, value: u64) -> io::Result<()> {
-        let mut digits = [0_u8; 20];
-        let mut start = digits.len();
-        let mut rest = value;
-        loop {
-            start -= 1;
-            digits[start] = b'0' + (rest % 10) as u8;
-            rest /= 10;
-            if rest == 0 {
-                break;
-            }
+        const MAX_DIGITS: usize = 20;
+        if self.buffer.len() + MAX_DIGITS > BUFFER_BYTES {
+            self.flush_buffer()?;
         }
-        self.bytes(&digits[start..])
+        let length = value.checked_ilog10().map_or(1, |log| log as usize + 1);
+        let mut digits = [b'0'; MAX_DIGITS];
+        let mut rest = value;
+        for digit in digits[..length].iter_mut().rev() {
+            *digit += (rest % 10) as u8;
+            rest /= 10;
+        }
+        // A copy of constant length is several times as fast as one of a few bytes.
+        let end = self.buffer.len() + length;
+        self.buffer.extend_from_slice(&digits);
+        self.buffer.truncate(end);
+        Ok(())
     }
 
     /// Appends the shortest decimal that reads back as the same number of double precision; `nan` for NaN.

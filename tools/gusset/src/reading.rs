@@ -54,8 +54,10 @@ impl Reading {
                 let format = format.ok_or_else(|| {
                     Failure::file("-: the format is unknown; name it with --from, such as --from obj")
                 })?;
-                gusset_io::read(&bytes, format, &NoResources, &self.options)
-                    .map_err(|error| read_failure(&shown, &error))
+                let mut document = gusset_io::read(&bytes, format, &NoResources, &self.options)
+                    .map_err(|error| read_failure(&shown, &error))?;
+                document.drop_image_files();
+                Ok(document)
             }
         }
     }

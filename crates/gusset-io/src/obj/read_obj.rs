@@ -1,0 +1,230 @@
+//! OBJ files as documents.
+
+use super::obj_assembly::{Content, read_content};
+use super::obj_chunk::{Lists, Names, Omission, Tally};
+use super::obj_materials::{FaceMaterials, read_materials};
+use super::obj_values::values_from_indices;
+use crate::document::{Curves, Document, PointCloud};
+use crate::error::{Note, Place, ReadError, quoted};
+use crate::mesh::{Mesh, Positions, Values};
+use crate::options::ReadOptions;
+use crate::resources::Resources;
+use std::borrow::Cow;
+
+/// Reads an OBJ file and its material libraries.
+pub(crate) fn read_obj(bytes: &[u8], resources: &dyn Resources, _: &ReadOptions) -> Result<Document, ReadError> {
+    let text = text_lines(bytes)?;
+    let content = read_content(&text)?;
+    document_from_content(content, resources)
+}
+
+/// Returns the text without a byte order mark, with the line ends of Unix if it has those of old Macintosh files.
+fn text_lines(bytes: &[u8]) -> Result<Cow<'_, [u8]>, ReadError> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let has_unix_ends = bytes.contains(&b'\n');
+    if has_unix_ends || !bytes.contains(&b'\r') {
+        return Ok(Cow::Borrowed(bytes));
+    }
+    let mut changed = Vec::new();
+    changed.try_reserve_exact(bytes.len())?;
+    changed.extend(bytes.iter().map(|&byte| if byte == b'\r' { b'\n' } else { byte }));
+    Ok(Cow::Owned(changed))
+}
+
+pub(super) fn document_from_content(
+    mut content: Content<'_>,
+    resources: &dyn Resources,
+) -> Result<Document, ReadError> {
+    if let Some(word) = content.unknown
+        && !content.has_known
+    {
+        return Err(foreign_file(word, content.omissions[Omission::Unknown as usize].first_line + 1));
+    }
+    let mut notes = omission_notes(&content);
+    scale_colours(&mut content.colours, &mut notes);
+    let curves = curves_from_lists(&content.polylines, &content.positions)?;
+    let face_count = content.face_offsets.len() - 1;
+    let materials = read_materials(&content.materials, &content.libraries, face_count, resources)?;
+    notes.extend(materials.notes);
+    let is_cloud = face_count == 0
+        && content.polylines.ends.is_empty()
+        && content.omissions[Omission::FreeForms as usize].count == 0;
+    if is_cloud && content.points.ends.is_empty() && !content.positions.is_empty() {
+        let text = "the file has neither faces nor lines nor points: its vertices are read as points";
+        notes.push(Note::new(Place::Whole, text));
+        content.points.vertices = (0..content.positions.len() as u32).collect();
+    }
+    let points = cloud_from_points(&mut content, is_cloud)?;
+    let mut document = if face_count == 0 {
+        Document::default()
+    } else {
+        Document::from_mesh(mesh_from_content(content, materials.faces)?)
+    };
+    document.curves = curves;
+    document.points = points;
+    document.materials = materials.materials;
+    document.images = materials.images;
+    document.notes = notes;
+    Ok(document)
+}
+
+fn foreign_file(word: &[u8], line: u64) -> ReadError {
+    let known = [
+        (&b"ply"[..], "a PLY file; give it the extension .ply"),
+        (b"OFF", "an OFF file; give it the extension .off"),
+        (b"solid", "an STL file; give it the extension .stl"),
+        (b"glTF", "a glTF file; give it the extension .glb"),
+        (b"{", "a JSON file; if it is a glTF file, give it the extension .gltf"),
+        (b"\x1f\x8b", "compressed by gzip; decompress it by gunzip"),
+        (b"PK\x03\x04", "a ZIP archive; extract it by unzip"),
+        (b"\x28\xb5\x2f\xfd", "compressed by zstd; decompress it by unzstd"),
+        (b"BZh", "compressed by bzip2; decompress it by bunzip2"),
+        (b"\xfd7zXZ", "compressed by xz; decompress it by unxz"),
+    ];
+    let text = match known.iter().find(|(start, _)| word.starts_with(start)) {
+        Some((_, what)) => format!("this is not an OBJ file: it is {what}"),
+        None => format!("this is not an OBJ file: it has no statement like v or f; the first word is {}", quoted(word)),
+    };
+    ReadError::malformed(Place::Line(line), text)
+}
+
+fn omission_notes(content: &Content<'_>) -> Vec<Note> {
+    let mut notes = Vec::new();
+    let mut add = |tally: Tally, text: String| {
+        if tally.count > 0 {
+            notes.push(Note::new(Place::Line(tally.first_line + 1), text));
+        }
+    };
+    let omitted = |omission: Omission| content.omissions[omission as usize];
+    let unknown = omitted(Omission::Unknown);
+    let word = quoted(content.unknown.unwrap_or_default());
+    add(
+        unknown,
+        format!("{} that OBJ files do not have are ignored; the first is {word}", counted(unknown, "statement")),
+    );
+    let small = omitted(Omission::SmallFaces);
+    add(small, format!("{} of fewer than 3 corners: left out", counted(small, "face")));
+    let short = omitted(Omission::ShortPolylines);
+    add(short, format!("{} of fewer than 2 vertices: left out", counted(short, "polyline")));
+    let forms = omitted(Omission::FreeForms);
+    add(forms, format!("{}: left out", counted(forms, "free-form curve or surface")));
+    let calls = omitted(Omission::Calls);
+    add(calls, format!("{} that name other files or programs: not followed", counted(calls, "statement")));
+    add(omitted(Omission::Weights), "a fourth number of vertices, which weights free-form curves: ignored".into());
+    let at_line = |tally: Tally| Tally { first_line: tally.first_line.saturating_sub(1), ..tally };
+    let normals = content.missing_normals;
+    add(at_line(normals), format!("{} without its normal, which does not exist", counted(normals, "corner")));
+    let texcoords = content.missing_texcoords;
+    let text = format!("{} without its texture coordinate, which does not exist", counted(texcoords, "corner"));
+    add(at_line(texcoords), text);
+    if content.objects == Names::Several || content.groups == Names::Several {
+        notes.push(Note::new(Place::Whole, "names of objects and groups: left out; the file is read as one mesh"));
+    }
+    notes
+}
+
+fn counted(tally: Tally, noun: &str) -> String {
+    format!("{} {noun}{}", tally.count, if tally.count == 1 { "" } else { "s" })
+}
+
+/// Divides colours by 255 if any of them exceeds 1.
+fn scale_colours(colours: &mut [[f32; 4]], notes: &mut Vec<Note>) {
+    let exceeds = |places: std::ops::Range<usize>| {
+        colours.iter().any(|colour| colour[places.clone()].iter().any(|&part| part > 1.0))
+    };
+    let (has_bytes, has_opacity_bytes) = (exceeds(0..3), exceeds(3..4));
+    if !has_bytes && !has_opacity_bytes {
+        return;
+    }
+    for colour in colours {
+        for (part, is_byte) in colour.iter_mut().zip([has_bytes, has_bytes, has_bytes, has_opacity_bytes]) {
+            if is_byte {
+                *part /= 255.0;
+            }
+        }
+    }
+    notes.push(Note::new(Place::Whole, "colours exceed 1: they are read as steps from 0 to 255"));
+}
+
+fn curves_from_lists(lists: &Lists, positions: &[[f64; 3]]) -> Result<Curves, ReadError> {
+    let mut curves = Curves::default();
+    let mut points = Vec::new();
+    points.try_reserve_exact(lists.vertices.len())?;
+    curves.offsets.try_reserve_exact(lists.ends.len())?;
+    curves.closed.try_reserve_exact(lists.ends.len())?;
+    let mut start = 0;
+    for &end in &lists.ends {
+        let vertices = &lists.vertices[start..end as usize];
+        let is_closed = vertices.len() > 1 && vertices.first() == vertices.last();
+        let kept = &vertices[..vertices.len() - usize::from(is_closed)];
+        points.extend(kept.iter().map(|&vertex| positions[vertex as usize]));
+        curves.offsets.push(points.len() as u32);
+        curves.closed.push(is_closed);
+        start = end as usize;
+    }
+    curves.positions = Positions::F64(points);
+    Ok(curves)
+}
+
+/// Makes points with the colours of their vertices. If the file is a cloud with as many normals as points, each point gets one.
+fn cloud_from_points(content: &mut Content<'_>, is_cloud: bool) -> Result<PointCloud, ReadError> {
+    let vertices = &content.points.vertices;
+    let mut points = Vec::new();
+    points.try_reserve_exact(vertices.len())?;
+    points.extend(vertices.iter().map(|&vertex| content.positions[vertex as usize]));
+    let mut colours = Vec::new();
+    if !content.colours.is_empty() {
+        colours.try_reserve_exact(vertices.len())?;
+        colours.extend(vertices.iter().map(|&vertex| content.colours[vertex as usize]));
+    }
+    let is_each_vertex =
+        vertices.len() == content.positions.len() && (0..).zip(vertices).all(|(place, &vertex)| place == vertex);
+    let has_normals = is_cloud && is_each_vertex && content.normals.len() == vertices.len();
+    let normals = if has_normals { std::mem::take(&mut content.normals) } else { Vec::new() };
+    Ok(PointCloud { positions: Positions::F64(points), normals, colours })
+}
+
+fn mesh_from_content(mut content: Content<'_>, materials: FaceMaterials) -> Result<Mesh, ReadError> {
+    drop_element_vertices(&mut content)?;
+    let name = match content.objects {
+        Names::One(name) => String::from_utf8_lossy(name).into_owned(),
+        _ => String::new(),
+    };
+    let vertex_count = content.positions.len();
+    let normals = values_from_indices(content.normals, content.corner_normals, &content.corners, vertex_count)?;
+    let texcoords: Values<2> =
+        values_from_indices(content.texcoords, content.corner_texcoords, &content.corners, vertex_count)?;
+    Ok(Mesh {
+        name,
+        positions: Positions::F64(content.positions),
+        face_offsets: content.face_offsets,
+        corners: content.corners,
+        normals,
+        texcoords,
+        vertex_colours: content.colours,
+        face_materials: materials,
+        ..Mesh::default()
+    })
+}
+
+/// Drops vertices at the end of the list that polylines and points use but faces do not. Curves and points have copies of them, and
+/// the numbers of other vertices stay.
+fn drop_element_vertices(content: &mut Content<'_>) -> Result<(), ReadError> {
+    let elements = [&content.polylines.vertices, &content.points.vertices];
+    if elements.iter().all(|vertices| vertices.is_empty()) {
+        return Ok(());
+    }
+    let face_end = content.corners.iter().max().map_or(0, |&vertex| vertex as usize + 1);
+    let mut is_used = Vec::new();
+    is_used.try_reserve_exact(content.positions.len() - face_end)?;
+    is_used.resize(content.positions.len() - face_end, false);
+    for &vertex in elements.into_iter().flatten() {
+        if let Some(place) = (vertex as usize).checked_sub(face_end) {
+            is_used[place] = true;
+        }
+    }
+    let kept = face_end + is_used.iter().rposition(|&used| !used).map_or(0, |last| last + 1);
+    content.positions.truncate(kept);
+    content.colours.truncate(kept);
+    Ok(())
+}

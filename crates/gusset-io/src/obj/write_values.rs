@@ -1,0 +1,109 @@
+//! Normals and texture coordinates as lines, each value once.
+
+use crate::mesh::Values;
+use crate::text::TextWriter;
+use std::collections::HashMap;
+use std::hash::{BuildHasher, Hasher, RandomState};
+use std::io;
+
+/// Line numbers of values, from 1; 0 for missing values.
+pub(super) enum Numbers {
+    Absent,
+    Vertices(Vec<u64>),
+    Corners(Vec<u64>),
+}
+
+impl Numbers {
+    pub(super) fn get(&self, corner: usize, vertex: u32) -> u64 {
+        match self {
+            Self::Absent => 0,
+            Self::Vertices(numbers) => numbers[vertex as usize],
+            Self::Corners(numbers) => numbers[corner],
+        }
+    }
+}
+
+/// Writes each value once, in the order of vertices or corners. `count` counts the lines of this keyword in the file.
+pub(super) fn write_values<const N: usize>(
+    text: &mut TextWriter<'_>,
+    keyword: &str,
+    values: &Values<N>,
+    count: &mut u64,
+    change: impl Fn([f64; N]) -> [f64; N],
+) -> io::Result<Numbers> {
+    let (values, make): (_, fn(Vec<u64>) -> Numbers) = match values {
+        Values::Absent => return Ok(Numbers::Absent),
+        Values::Vertices(all) => (all, Numbers::Vertices),
+        Values::Corners(all) => (all, Numbers::Corners),
+    };
+    let mut numbers = Vec::new();
+    numbers.try_reserve_exact(values.len()).map_err(|_| io::ErrorKind::OutOfMemory)?;
+    let mut known: HashMap<[u64; N], u64, SeededState> = HashMap::with_hasher(SeededState::random());
+    for value in values {
+        if value[0].is_nan() {
+            numbers.push(0);
+            continue;
+        }
+        known.try_reserve(1).map_err(|_| io::ErrorKind::OutOfMemory)?;
+        let number = *known.entry(value.map(f64::to_bits)).or_insert(*count + 1);
+        if number > *count {
+            *count = number;
+            text.text(keyword)?;
+            for part in change(*value) {
+                text.bytes(b" ")?;
+                text.attribute(part)?;
+            }
+            text.bytes(b"\n")?;
+        }
+        numbers.push(number);
+    }
+    Ok(make(numbers))
+}
+
+/// Seeds of a hash that differ from run to run, so that no file can be made of values that collide.
+struct SeededState([u64; 2]);
+
+impl SeededState {
+    fn random() -> Self {
+        let state = RandomState::new();
+        Self([state.hash_one(0), state.hash_one(1) | 1])
+    }
+}
+
+impl BuildHasher for SeededState {
+    type Hasher = FoldingHasher;
+
+    fn build_hasher(&self) -> FoldingHasher {
+        FoldingHasher { hash: self.0[0], factor: self.0[1] }
+    }
+}
+
+/// Multiplies words to 128 bits and folds these, a fraction of the cost of the standard hash.
+struct FoldingHasher {
+    hash: u64,
+    factor: u64,
+}
+
+impl Hasher for FoldingHasher {
+    fn write_u64(&mut self, word: u64) {
+        let product = u128::from(self.hash ^ word) * u128::from(self.factor);
+        self.hash = (product as u64) ^ ((product >> 64) as u64) ^ word.rotate_left(32);
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        for part in bytes.chunks(8) {
+            let mut word = [0; 8];
+            word[..part.len()].copy_from_slice(part);
+            self.write_u64(u64::from_le_bytes(word));
+        }
+    }
+
+    fn write_usize(&mut self, length: usize) {
+        self.write_u64(length as u64);
+    }
+
+    fn finish(&self) -> u64 {
+        let product = u128::from(self.hash) * u128::from(self.factor);
+        (product as u64) ^ ((product >> 64) as u64)
+    }
+}
