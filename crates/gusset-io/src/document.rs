@@ -244,6 +244,7 @@ fn cofactor_rows(m: &[[f64; 4]; 3]) -> [[f64; 3]; 3] {
     [cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])]
 }
 
+/// Returns the unit normal of a transformed surface; the normal itself if it has no direction.
 pub(crate) fn transformed_normal(matrix: &[[f64; 4]; 3], normal: [f64; 3]) -> [f64; 3] {
     let sign = determinant(matrix).signum();
     let turned = cofactor_rows(matrix).map(|row| sign * (row[0] * normal[0] + row[1] * normal[1] + row[2] * normal[2]));

@@ -11,6 +11,7 @@
 //! and words; `polygons` splits polygons into triangles, by `ear_clipping` and `least_overlap`; `precision` tells what single precision
 //! would move; `scene` joins meshes for formats that hold one; `vertex_merging` finds equal positions. `files` reads and writes paths, `folder` finds the files that a file refers to, and `pending_file` replaces a file whole.
 
+mod budget;
 mod document;
 mod ear_clipping;
 mod error;
