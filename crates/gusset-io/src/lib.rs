@@ -40,6 +40,8 @@ mod text_encoding;
 mod vertex_merging;
 
 #[cfg(test)]
+mod document_checks;
+#[cfg(test)]
 mod document_tests;
 #[cfg(test)]
 mod files_tests;

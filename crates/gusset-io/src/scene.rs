@@ -1,7 +1,7 @@
 //! The scene as one mesh, for formats that hold one, and what such formats lose.
 
 use crate::document::Document;
-use crate::error::{Loss, WriteError};
+use crate::error::{Loss, WriteError, WriteErrorKind};
 use crate::material::NO_MATERIAL;
 use crate::mesh::{Domain, Mesh};
 use std::borrow::Cow;
