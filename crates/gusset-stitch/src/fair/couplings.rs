@@ -13,7 +13,7 @@ pub(super) struct Couplings<'a> {
 }
 
 impl UnknownCouplings for Couplings<'_> {
-    fn each_row(&self, v: u32, mut visit: impl FnMut(usize)) {
+    fn for_each_row_of(&self, v: u32, mut visit: impl FnMut(usize)) {
         self.rings.rows().row(v as usize).for_each(|(row, _)| visit(row));
     }
 
