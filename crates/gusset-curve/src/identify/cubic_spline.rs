@@ -16,8 +16,8 @@
 //! Source: the complete and periodic cubic splines (de Boor, A Practical Guide to Splines, chapter
 //! IV; Bessel's end condition).
 
+use super::composite_solution::CompositeSolution;
 use super::method::power;
-use super::solution::CompositeSolution;
 use super::subcurve::{Subcurve, SubcurveOutput};
 use gusset_base::error::Result;
 use gusset_base::geom::linear::tridiagonal;

@@ -1,11 +1,11 @@
 //! Intersections of two plane curves, and self-intersections. A tree finds the pairs of segments
 //! whose boxes meet.
 
-use super::part::{SegmentPart, compare_places, do_places_coincide, sort_and_remove_duplicates};
 use super::segment_intersection::{
     MAX_COMMON_POINT_DISTANCE, MAX_SAME_PARAMETER_GAP, MAX_TOUCHING_BOX_GAP, SegmentIntersections, SharedJoints,
     advances_along_chord, intersect_segments,
 };
+use super::segment_part::{SegmentPart, compare_places, do_places_coincide, sort_and_remove_duplicates};
 use crate::curve::segment;
 use crate::curve::unit_frame::UnitFrame;
 use crate::curve::{CurveView, Place};

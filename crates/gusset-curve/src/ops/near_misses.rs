@@ -19,7 +19,7 @@
 
 use super::intersect::Overlap;
 use super::near_miss_bounds::{DescentEnd, are_hulls_apart, count_minima, minimise_distance};
-use super::part::{SegmentPart, compare_places, halve_one_of_pair, sort_and_remove_duplicates};
+use super::segment_part::{SegmentPart, compare_places, halve_one_of_pair, sort_and_remove_duplicates};
 use crate::curve::segment::{self, SegmentBuffer, point_and_derivatives};
 use crate::curve::unit_frame::UnitFrame;
 use crate::curve::{CurveView, Place};

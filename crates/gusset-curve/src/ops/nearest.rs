@@ -6,7 +6,7 @@
 //! minimised. Segments whose boxes are farther than the best distance so far are skipped, so the
 //! result is the global minimum.
 
-use super::cubic;
+use super::cubic_roots;
 use crate::curve::segment::{self, DistanceSlope};
 use crate::curve::unit_frame::UnitFrame;
 use crate::curve::{CurveView, Place, check_finite};
@@ -282,7 +282,8 @@ impl NearestOnSegment<'_> {
                 // C - q = w t^2 + 2 u t + r, and half of its product with its derivative is this
                 // cubic.
                 let (r, u, w) = (a - self.q, b - a, (c - b) - (b - a));
-                let cubic = cubic::real_cubic_roots(w.dot(w), 3.0 * u.dot(w), 2.0 * u.dot(u) + r.dot(w), r.dot(u));
+                let cubic =
+                    cubic_roots::real_cubic_roots(w.dot(w), 3.0 * u.dot(w), 2.0 * u.dot(u) + r.dot(w), r.dot(u));
                 if let Some((found, count)) = cubic {
                     found[..count].iter().filter(|t| (0.0..=1.0).contains(*t)).for_each(|&t| self.offer_parameter(t));
                     return;

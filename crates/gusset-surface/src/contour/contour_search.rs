@@ -4,13 +4,13 @@
 //! bilinear one, exclude the level. Cost: O(1) for each cell examined, O(M^3) for each crossed cell
 //! that is not simple; memory is proportional to the number of arcs.
 
-use super::cell::{InnerMarkKeys, MarkedArc, SIDES_PER_CELL, SignChangeMark, find_cell_arcs, has_one_sign};
+use super::cell_arcs::{InnerMarkKeys, MarkedArc, SIDES_PER_CELL, SignChangeMark, find_cell_arcs, has_one_sign};
 use super::contour_lattice::ContourLattice;
 use super::contour_refinement::{insert_arc_points, is_arc_near_chord, is_graph_near_chord, middle_of_arc};
+use super::contour_source::{ContourSource, CornerTest, PreparedCell, SideContinuity};
 use super::corner_crossing::{CornerCrossing, decide_crossing_by_corners, root_of_side_chord};
-use super::side::{counts_as_positive, find_sign_changes};
 use super::side_roots::compute_side_roots;
-use super::source::{ContourSource, CornerTest, PreparedCell, SideContinuity};
+use super::side_sign_changes::{counts_as_positive, find_sign_changes};
 use crate::Patch;
 use crate::cells::SheetCells;
 use crate::subdivision::BernsteinField;

@@ -11,8 +11,8 @@
 //! [`MAX_STORED_CONTROL_POINTS`] control points. It ends at [`MIN_EXAMINED_PAIRS`] if the last gain
 //! is long past and little is left to gain.
 
-use super::descent::{DistanceJet, NetPair, PairParameters};
-use super::pieces::{PiecePosition, SidePieces};
+use super::distance_descent::{DistanceJet, NetPair, PairParameters};
+use super::side_pieces::{PiecePosition, SidePieces};
 use crate::frontier::{BranchAndBound, Frontier};
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::hull_distance::hull_distance;

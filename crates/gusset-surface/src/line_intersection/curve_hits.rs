@@ -5,7 +5,7 @@
 //! the curve and a cell, with proof.
 
 use super::curve_search::{CurvePointInCell, CurveSegmentPart, CurveSheetSearch};
-use super::hits::MAX_POINT_HIT_LENGTH_IN_MERGE_DISTANCES;
+use super::hit_merging::MAX_POINT_HIT_LENGTH_IN_MERGE_DISTANCES;
 use super::line::{Hit, HitSelection, Line, MAX_LINE_COORDINATE};
 use super::line_search::LineWorkspace;
 use crate::{Surface, each_sheet};

@@ -4,9 +4,9 @@
 //! Boxes exclude blocks, and a search of the patch excludes cells. The limit is fixed, so the order
 //! of the search does not matter. O(blocks and cells within the distance).
 
-use super::block::lowest_blocks_within;
+use super::bounded_block::lowest_blocks_within;
 use super::patch_search::{PartFrontier, nearest_on_patch};
-use super::query::check_query_and_distance;
+use super::query_checks::check_query_and_distance;
 use crate::cells::SheetCells;
 use crate::index::BoxPyramid;
 use crate::{Patch, Surface, each_sheet};

@@ -5,13 +5,13 @@
 //! side or at a corner counts if no cell that meets the point has a descent direction there.
 //! Invariant: a missing minimum is at least as far as the bound at which the search ended.
 
-use super::block::{BoundedBlock, lowest_blocks_within};
+use super::bounded_block::{BoundedBlock, lowest_blocks_within};
 use super::closest::Closest;
 use super::descent_direction::{MAX_DISTANCE_ON_SIDE, has_descent_direction};
 use super::nearest_search::cells_around;
 use super::patch_minima::{LocalMinimum, find_interior_minima, find_side_minima};
 use super::patch_search::{PartFrontier, nearest_on_patch};
-use super::query::check_query_and_distance;
+use super::query_checks::check_query_and_distance;
 use crate::cells::SheetCells;
 use crate::frontier::{BranchAndBound, Frontier};
 use crate::{Place, Surface, each_sheet};

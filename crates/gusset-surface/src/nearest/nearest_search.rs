@@ -13,12 +13,12 @@
 //! after [`MIN_EXAMINED_PARTS`] if the last gain is long past and little is left to gain. Memory:
 //! O(patches examined).
 
-use super::block::BoundedBlock;
-use super::bounds::patch_distance_bound;
-use super::foot::{FootPoint, MAX_NEWTON_STEPS_ON_PART, MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot};
+use super::bounded_block::BoundedBlock;
+use super::candidate_block::{CandidateBlock, CellCandidate};
+use super::foot_point::{FootPoint, MAX_NEWTON_STEPS_ON_PART, MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot};
 use super::incumbent::{IncumbentAnswers, NearestAnswer};
-use super::leaf::{CandidateBlock, CellCandidate};
-use super::part::PatchPart;
+use super::patch_bounds::patch_distance_bound;
+use super::patch_part::PatchPart;
 use crate::cells::SheetCells;
 use crate::frontier::{BranchAndBound, Frontier};
 use crate::index::{BoxPyramid, OrientedBox};

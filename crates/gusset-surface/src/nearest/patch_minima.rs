@@ -12,8 +12,8 @@
 //! All tests use bounds from control points, so no minimum is missed. At most
 //! [`MAX_PARTS_PER_PATCH`] parts.
 
-use super::foot::{FootPoint, MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot, gradient_and_hessian};
-use super::part::{MAX_PARTS_PER_PATCH, PatchPart};
+use super::foot_point::{FootPoint, MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot, gradient_and_hessian};
+use super::patch_part::{MAX_PARTS_PER_PATCH, PatchPart};
 use crate::Patch;
 use glam::{DVec2, DVec3};
 use gusset_base::geom::aabb::range;

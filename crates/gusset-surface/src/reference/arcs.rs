@@ -9,10 +9,10 @@
 //! neighbours compute them.
 
 use super::cell_lattice::Lattice;
+use super::cell_sizes::{ROUNDING_FACTOR, Sizes};
 use super::figure::Figure;
 use super::normal_variation::AngleTarget;
 use super::reference_search::{SearchOptions, SearchOutcome, search};
-use super::sizes::{ROUNDING_FACTOR, Sizes};
 use crate::normal::angle_between_unit_vectors;
 use glam::DVec3;
 use gusset_base::alloc;

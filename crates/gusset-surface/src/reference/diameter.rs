@@ -12,7 +12,7 @@
 //! curvature requires the intrinsic one.
 
 use super::cell_lattice::Lattice;
-use super::sizes::{ROUNDING_FACTOR, Sizes};
+use super::cell_sizes::{ROUNDING_FACTOR, Sizes};
 use crate::cells::{SheetCells, compute_by_cell};
 use crate::{Patch, Sheet, each_sheet};
 use glam::DVec3;

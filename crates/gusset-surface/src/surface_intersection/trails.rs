@@ -6,9 +6,9 @@
 //!
 //! Invariant: an end is joined to at most one other end. Cost: O(n log n) for n arcs.
 
+use super::arc_links::NO_LINKED_ARC;
 use super::intersection_chain::{MAX_JOINT_GAP_IN_RESOLUTIONS, find_near_pairs, find_repeated_arcs};
-use super::links::NO_LINKED_ARC;
-use super::solve::IntersectionArc;
+use super::pair_search::IntersectionArc;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;

@@ -5,12 +5,12 @@
 //! 1953), but the rows are not dominant, and control points may lie far out. Joints next to such
 //! points return to 1/2. O(n) for each of at most 4 rounds.
 
-use super::equations;
+use super::control_equations;
 use super::lock::{self, LockWorkspace};
 use crate::curve::segment;
+use crate::identify::composite_solution::CompositeSolution;
 use crate::identify::method::power;
 use crate::identify::report::PointStatus;
-use crate::identify::solution::CompositeSolution;
 use crate::identify::subcurve::{Subcurve, SubcurveOutput};
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -59,7 +59,7 @@ pub(super) fn solve_with_fallback(
 ) -> Result<bool> {
     let none_runs_away = |solution: &CompositeSolution| !sub.section_indices().any(|i| has_run_away(sub, solution, i));
     for round in 0..=MAX_FALLBACK_ROUNDS {
-        let regular = equations::solve_control_points(sub, &mut workspace.solution)
+        let regular = control_equations::solve_control_points(sub, &mut workspace.solution)
             && none_runs_away(&workspace.solution)
             && lock::solve_lock(sub, workspace, out)?;
         if regular && none_runs_away(&workspace.solution) {
@@ -77,7 +77,7 @@ pub(super) fn solve_with_fallback(
     }
     // Even with middle joints the lock has no nearby solution, so use the lock by parameters
     // everywhere.
-    equations::solve_control_points(sub, &mut workspace.solution);
+    control_equations::solve_control_points(sub, &mut workspace.solution);
     Ok(false)
 }
 
@@ -108,7 +108,7 @@ mod tests {
         workspace.solution.resize(9).unwrap();
         workspace.solution.t.fill(0.4);
         workspace.solution.data_t.fill(0.4);
-        equations::solve_control_points(&sub, &mut workspace.solution);
+        control_equations::solve_control_points(&sub, &mut workspace.solution);
         let halves = workspace.solution.controls.clone();
         workspace.solution.reset_joints(9).unwrap();
         workspace.solution.beta[4] = f64::NAN;

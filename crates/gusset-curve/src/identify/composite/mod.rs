@@ -14,18 +14,18 @@
 //! Source: Nadopta, for sections and methods; the composite reading of a set of sections is ours.
 
 mod curvature;
-mod equations;
+mod control_equations;
 mod knot_joints;
 mod lock;
-mod rounds;
+mod lock_rounds;
 mod self_consistent;
 mod sweeps;
 
+use super::composite_solution::CompositeSolution;
 use super::identify_options::{JointParameter, Lock, Solver};
 use super::method::{Method, power};
 use super::report::{PointStatus, Report};
 use super::residuals::MaxJointSine;
-use super::solution::CompositeSolution;
 use super::subcurve::{PointResult, Subcurve, SubcurveOutput};
 use crate::curve::{Place, segment};
 use curvature::CurvatureJoints;
@@ -79,7 +79,7 @@ pub(super) fn solve_composite_curve(
     solution.beta.clear();
     solution.handles.clear();
     find_section_parameters(sub, solution, out.results);
-    equations::solve_control_points(sub, solution);
+    control_equations::solve_control_points(sub, solution);
     if (options.lock, options.joint, options.solver) == (Lock::Parameter, JointParameter::Half, Solver::Fast) {
         return Ok(());
     }
@@ -217,8 +217,8 @@ fn append_cubics(sub: &Subcurve<'_>, solution: &CompositeSolution, out: &mut Sub
     Ok(())
 }
 
-/// Writes the control points of a closed subcurve, each p as `map_point(p)`: two for each point and one
-/// more. Section i is segment i. Measures the curve at the same time; see
+/// Writes the control points of a closed subcurve, each p as `map_point(p)`: two for each point and
+/// one more. Section i is segment i. Measures the curve at the same time; see
 /// [`measure_residuals`](super::residuals::measure_residuals).
 pub(super) fn write_closed_curve(
     sub: &Subcurve<'_>,

@@ -19,12 +19,12 @@
 //!
 //! Source: ours.
 
-use super::equations;
-use super::rounds::{MAX_FALLBACK_ROUNDS, max_iterations_of_round};
+use super::control_equations;
+use super::lock_rounds::{MAX_FALLBACK_ROUNDS, max_iterations_of_round};
+use crate::identify::composite_solution::CompositeSolution;
 use crate::identify::identify_options::Options;
 use crate::identify::method::{Method, power};
 use crate::identify::report::{FitStatus, PointStatus};
-use crate::identify::solution::CompositeSolution;
 use crate::identify::subcurve::{Subcurve, SubcurveOutput};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -109,7 +109,7 @@ impl<const D: usize> SelfConsistentNewton<D> {
                     out.results[i].flag_status(PointStatus::FellBack);
                 }
             }
-            regular = equations::solve_control_points(sub, solution);
+            regular = control_equations::solve_control_points(sub, solution);
         }
         let [low, high] = sub.section_parameter_range();
         for i in sub.section_indices() {
@@ -145,7 +145,7 @@ impl<const D: usize> SelfConsistentNewton<D> {
             report.iterations += 1;
             if sum > smallest || !self.compute_newton_step(sub, overlap, job)? {
                 // The fixed-point map itself, which need not make F smaller.
-                equations::solve_control_points(sub, solution);
+                control_equations::solve_control_points(sub, solution);
                 (smallest, scale, halvings) = (f64::INFINITY, 0.0, 0);
                 continue;
             }
@@ -183,7 +183,7 @@ impl<const D: usize> SelfConsistentNewton<D> {
             sum += value.length_squared();
             let (before, after) = (solution.joints[sub.previous(i)], solution.joints[i]);
             self.rows[i] = NewtonRow {
-                factors: equations::control_point_coefficients(t, before, after),
+                factors: control_equations::control_point_coefficients(t, before, after),
                 gradients: [
                     truncate_to_dimension(gradients[0] * (1.0 - before)),
                     truncate_to_dimension(gradients[0] * before + gradients[1] * (1.0 - after)),
@@ -273,7 +273,7 @@ fn apply_fixed_point_map(sub: &Subcurve<'_>, solution: &mut CompositeSolution) {
     for i in sub.section_indices() {
         solution.t[i] = parameter_on_section(sub, solution, i);
     }
-    equations::solve_control_points(sub, solution);
+    control_equations::solve_control_points(sub, solution);
 }
 
 /// Returns the parameter of point `i` on its current section.

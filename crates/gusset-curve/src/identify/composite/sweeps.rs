@@ -17,14 +17,14 @@
 //! Hence t does not depend on the position of B_i on the guide. If both neighbours are on one side,
 //! the section does not cross the guide. O(n) for each sweep.
 
-use super::equations;
-use super::rounds::{MAX_FALLBACK_ROUNDS, max_iterations_of_round};
+use super::control_equations;
+use super::lock_rounds::{MAX_FALLBACK_ROUNDS, max_iterations_of_round};
 use super::self_consistent;
+use crate::identify::composite_solution::CompositeSolution;
 use crate::identify::guide::{guide_direction, subcurve_plane_normal};
 use crate::identify::identify_options::{Lock, Solver};
 use crate::identify::method::Method;
 use crate::identify::report::{FitStatus, PointStatus, ReportInProgress};
-use crate::identify::solution::CompositeSolution;
 use crate::identify::stepping;
 use crate::identify::subcurve::{PointResult, Subcurve, SubcurveOutput};
 use glam::DVec3;
@@ -73,7 +73,7 @@ pub(super) fn solve_by_sweeps(
         }
     }
     // With the current parameters, the curve passes the points exactly.
-    let regular = equations::solve_control_points(sub, solution);
+    let regular = control_equations::solve_control_points(sub, solution);
     let [low, high] = sub.section_parameter_range();
     for i in sub.section_indices() {
         match lock {
@@ -177,7 +177,8 @@ fn place_control_point(
     };
     solution.t[i] = t;
     let s = 1.0 - t;
-    let [_, slope, _] = equations::control_point_coefficients(t, solution.joints[sub.previous(i)], solution.joints[i]);
+    let [_, slope, _] =
+        control_equations::control_point_coefficients(t, solution.joints[sub.previous(i)], solution.joints[i]);
     // A point that has returned to its guide is first projected on it.
     let start = guide.map_or(b, |guide| guide * guide.dot(b));
     let left = -(u * (s * s) + b * (2.0 * t * s) + v * (t * t)) + (b - start) * slope;

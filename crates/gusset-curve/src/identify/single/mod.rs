@@ -12,7 +12,7 @@
 //! Source: Nadopta. O(n^3) time and O(n^2) memory for n points, at most 65.
 
 mod collocation;
-mod guided;
+mod guided_solver;
 
 use super::composite::{self, CompositeWorkspace};
 use super::guide::subcurve_plane_normal;

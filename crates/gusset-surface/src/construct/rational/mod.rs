@@ -1,15 +1,15 @@
 //! Converts rational splines to polynomial patches of degree 7 in the same parameters.
 //!
 //! The spans of the spline are cut, whole rows and columns at a time, until the piece of every cell
-//! is within the tolerance. [`fit`] computes the pieces. [`bound`] proves their distance for all
-//! parameters. The bound includes the rounding of the cells' control points, of the bound itself,
-//! and of the result. Errors decrease with the eighth power of the size of cells.
+//! is within the tolerance. [`piece_fit`] computes the pieces. [`difference_bound`] proves their
+//! distance for all parameters. The bound includes the rounding of the cells' control points, of
+//! the bound itself, and of the result. Errors decrease with the eighth power of the size of cells.
 
-mod bound;
-mod fit;
+mod difference_bound;
+mod piece_fit;
 
-use self::bound::HomogeneousDifference;
-use self::fit::{ExactBorderPoints, FitFactors};
+use self::difference_bound::HomogeneousDifference;
+use self::piece_fit::{ExactBorderPoints, FitFactors};
 use super::spline::{PieceNet, Spline, SplineInterval, SplineOptions, SplinePiece, knots_at_cell_borders};
 use crate::patches::SplineOrigin;
 use crate::{Patch, Patches};

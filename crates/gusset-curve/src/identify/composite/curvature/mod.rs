@@ -1,8 +1,8 @@
 //! Continuous curvature: cubic sections, joined G2.
 //!
 //! Section i is the cubic in the triangle (J_(i-1), B_i, J_i) with the handles lambda_i and mu_i,
-//! see [`equations`]. With E_i = |(B_i - B_(i-1)) x (B_(i+1) - B_i)| and L_i = |B_(i+1) - B_i| it
-//! has at its ends the curvatures
+//! see [`control_equations`]. With E_i = |(B_i - B_(i-1)) x (B_(i+1) - B_i)| and
+//! L_i = |B_(i+1) - B_i| it has at its ends the curvatures
 //!
 //! 2/3 (1 - mu_i) beta_i E_i / (lambda_i^2 (1 - beta_(i-1))^2 L_(i-1)^3) and
 //!
@@ -26,26 +26,26 @@
 //! cubics by tangents and curvatures; Yan, Schiller, Wilensky, Carr and Schaefer, k-Curves, 2017,
 //! for quadratics with continuous curvature.
 
-mod newton;
-mod system;
+mod curvature_newton;
+mod curvature_system;
 
-use super::equations;
+use super::control_equations;
 use super::knot_joints::solve_with_fallback;
 use super::lock::LockWorkspace;
+use crate::identify::composite_solution::CompositeSolution;
 use crate::identify::guide::subcurve_plane_normal;
 use crate::identify::identify_options::Lock;
 use crate::identify::report::{FitStatus, PointStatus};
-use crate::identify::solution::CompositeSolution;
 use crate::identify::subcurve::{Subcurve, SubcurveOutput};
+use curvature_newton::{LeastNormNewton, POINTS_PER_REPORT, STAGE};
+use curvature_system::{
+    EQUATIONS_PER_POINT, GivenQuantities, LockEquation, PointUnknowns, evaluate_equations, legs_at_control_point,
+};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use newton::{LeastNormNewton, POINTS_PER_REPORT, STAGE};
 use std::ops::Range;
-use system::{
-    EQUATIONS_PER_POINT, GivenQuantities, LockEquation, PointUnknowns, evaluate_equations, legs_at_control_point,
-};
 
 /// The handles of a quadratic.
 const QUADRATIC_HANDLES: [f64; 2] = [2.0 / 3.0; 2];
@@ -265,7 +265,7 @@ impl CurvatureJoints {
         for (i, node) in self.nodes.iter().enumerate() {
             (solution.t[i], solution.beta[i], solution.handles[i]) = (node.t, node.beta, node.handles);
         }
-        let regular = equations::solve_control_points(sub, solution);
+        let regular = control_equations::solve_control_points(sub, solution);
         self.nodes.iter_mut().zip(&solution.controls).for_each(|(node, &control)| node.control = control);
         regular
     }
@@ -275,7 +275,7 @@ impl CurvatureJoints {
         sub.section_indices().all(|i| {
             let corners =
                 [solution.joint_point(sub, sub.previous(i)), solution.controls[i], solution.joint_point(sub, i)];
-            let shares = equations::cubic_section_weights(solution.t[i], solution.handles[i]);
+            let shares = control_equations::cubic_section_weights(solution.t[i], solution.handles[i]);
             let at: DVec3 = corners.iter().zip(shares).map(|(&corner, share)| (corner - sub.points[i]) * share).sum();
             at.length() <= MAX_POINT_MISS_DISTANCE * sub.size
         })

@@ -15,7 +15,7 @@
 //! together with their neighbours. One point in trouble thus does not slow down the others. O(n)
 //! for each step, in time and memory: about 1,100 bytes a point.
 
-use super::system::{
+use super::curvature_system::{
     EQUATIONS_PER_POINT, EquationDerivatives, GivenQuantities, LockEquation, POINTS_PER_EQUATION, PointUnknowns,
     UNKNOWNS_PER_POINT, differentiate_equations, evaluate_equations,
 };

@@ -4,7 +4,7 @@
 //! "Projected Newton methods for optimization problems with simple constraints"). Uses Gauss-Newton
 //! steps where the Hessian is not positive definite, steepest descent where those overshoot, and
 //! backtracking. Invariant: the distance decreases with each step. The result is not proven; see
-//! `bounds`. At most [`MAX_NEWTON_STEPS_ON_PATCH`] steps.
+//! `patch_bounds`. At most [`MAX_NEWTON_STEPS_ON_PATCH`] steps.
 
 use crate::{Jet, Patch};
 use glam::{DMat2, DVec2, DVec3};

@@ -18,10 +18,10 @@
 //! Source: Nadopta, the overlapping sections of figure 2; Barry and Goldman, 1988, for the linear
 //! blend; C. Yuksel, 2020, for blends that keep second derivatives, there trigonometric.
 
+use super::composite_solution::CompositeSolution;
 use super::identify_options::Mode;
 use super::method::{Method, section_at_parameter};
 use super::report::PointStatus;
-use super::solution::CompositeSolution;
 use super::subcurve::{Subcurve, SubcurveOutput};
 use gusset_base::error::Result;
 

@@ -19,7 +19,7 @@
 //! for a split.
 
 use super::coordinate_net::CoordinateNet;
-use super::equation::{DifferenceFrame, IntersectionEquation, OTHER_PARAMETERS};
+use super::intersection_equation::{DifferenceFrame, IntersectionEquation, OTHER_PARAMETERS};
 use crate::Patch;
 use crate::subdivision::BernsteinField;
 use glam::{DVec3, DVec4};

@@ -8,12 +8,12 @@
 
 use crate::curve::{CurveView, Place};
 
-use super::align::{AnchoredSection, farthest_from_mean, start_fractions};
 use super::axis::axis_frames;
-use super::corners::{
+use super::frame_options::{Correspondence, FrameOptions};
+use super::section_alignment::{AnchoredSection, farthest_from_mean, start_fractions};
+use super::section_corners::{
     add_corner_constraints, apportion_parts, find_corners_of_sections, match_corners, nodes_with_sharp_turn,
 };
-use super::frame_options::{Correspondence, FrameOptions};
 use crate::identify::{Fit, Options, Outlines, fit};
 use crate::ops::Lengths;
 use glam::DVec3;

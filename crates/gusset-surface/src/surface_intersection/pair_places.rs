@@ -1,7 +1,7 @@
 //! Places on both surfaces for parameters of a pair of cells.
 
-use super::equation::DifferenceFrame;
-use super::pairs::CellPair;
+use super::cell_pairs::CellPair;
+use super::intersection_equation::DifferenceFrame;
 use crate::{Place, Surface};
 use glam::DVec3;
 use glam::DVec4;

@@ -1,9 +1,9 @@
 //! The distance between points of two nets: descent to a local minimum, and proofs of lower bounds.
 //!
 //! The function is f = |A(u, v) - B(s, t)|^2 / 2 over all parameters of the nets, from 0 to 1. The
-//! descent takes projected Newton steps as in `nearest::foot`. If the Hessian of f is positive
-//! definite everywhere, f is convex, and nowhere below its tangent plane at any place. Descent then
-//! leads to the nearest points. Products of balls bound the Hessian. O(1).
+//! descent takes projected Newton steps as in `nearest::foot_point`. If the Hessian of f is
+//! positive definite everywhere, f is convex, and nowhere below its tangent plane at any place.
+//! Descent then leads to the nearest points. Products of balls bound the Hessian. O(1).
 
 use super::control_net::{ControlNet, DerivativeBalls, VectorBall};
 use crate::Jet;

@@ -1,18 +1,18 @@
 //! Self-intersections of a surface.
 //!
 //! Pairs of cells are solved as for two surfaces, each pair once. Cells with common points by
-//! declaration are halved until it is proven that they have no others (`near`). Arcs are joined
-//! without regard to which of the two pieces is the first (`trails`).
+//! declaration are halved until it is proven that they have no others (`adjacent_cells`). Arcs are
+//! joined without regard to which of the two pieces is the first (`trails`).
 
-use super::bridge::ChainBridges;
-use super::chart::ParameterBox;
+use super::adjacent_cells::AdjacentCellPair;
+use super::arc_links::ArcChain;
+use super::cell_joints::SheetJoints;
+use super::cell_pairs::CellPair;
+use super::chain_bridges::ChainBridges;
 use super::coordinate_net::CoordinateNet;
-use super::joints::SheetJoints;
-use super::links::ArcChain;
-use super::near::AdjacentCellPair;
-use super::pairs::CellPair;
-use super::places::PairPlaces;
-use super::solve::FoundArcs;
+use super::pair_places::PairPlaces;
+use super::pair_search::FoundArcs;
+use super::solution_chart::ParameterBox;
 use super::trails::{Trail, TrailBuilder, TrailStep};
 use super::{Options, SurfaceIntersection, net_rounding_error, positive_or_default};
 use crate::cells::SheetCells;

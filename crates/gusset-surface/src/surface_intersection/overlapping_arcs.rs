@@ -7,8 +7,8 @@
 //!
 //! Cost: O(log n) for each arc along a side, and a few evaluations for each close end.
 
-use super::places::{CurvePoint, PairPlaces};
-use super::solve::{FoundArcs, IntersectionArc};
+use super::pair_places::{CurvePoint, PairPlaces};
+use super::pair_search::{FoundArcs, IntersectionArc};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;

@@ -8,12 +8,12 @@ use super::composite::{self, CompositeWorkspace};
 use super::curve_builder::CurveBuilder;
 use super::fit::Fit;
 use super::identify_options::{JointParameter, Mode, Options};
-use super::nodes::OutlineNodes;
+use super::outline_nodes::OutlineNodes;
 use super::outlines::{Constraint, Outlines};
 use super::report::{FitStatus, PointStatus, Report, ReportInProgress};
 use super::single::{self, Collocation};
 use super::subcurve::{PointResult, Subcurve, SubcurveOutput};
-use super::{blend, cubic_spline, residuals};
+use super::{blended_curve, cubic_spline, residuals};
 use crate::curve::Place;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -369,7 +369,7 @@ fn append_subcurve_curve(
     // Iterations are counted for each part; the report has the maximum.
     let before = std::mem::take(&mut out.report.iterations);
     match sub.options.mode {
-        Mode::BlendC1 | Mode::BlendC2 => blend::append_blended_curve(sub, composite.solution(), out),
+        Mode::BlendC1 | Mode::BlendC2 => blended_curve::append_blended_curve(sub, composite.solution(), out),
         Mode::CubicC2 => cubic_spline::append_cubic_spline(sub, composite.solution(), out),
         Mode::Single => single::append_single_curve(sub, single, composite, out),
         Mode::Composite | Mode::Chain => composite::append_composite_curve(sub, composite, out),

@@ -16,7 +16,7 @@
 //! where |e_i|^3 cancels. All equations are dimensionless: lengths are divided by the spacing of
 //! the points.
 
-use super::super::{equations, self_consistent};
+use super::super::{control_equations, self_consistent};
 use crate::identify::subcurve::Subcurve;
 use glam::DVec3;
 
@@ -167,7 +167,7 @@ impl RelativeSection {
     }
 
     fn offset_from_point(&self, node: &PointUnknowns) -> DVec3 {
-        let [first, middle, last] = equations::cubic_section_weights(node.t, node.handles);
+        let [first, middle, last] = control_equations::cubic_section_weights(node.t, node.handles);
         self.u * first + self.b * middle + self.v * last
     }
 }
@@ -201,8 +201,8 @@ fn differentiate_section_equations(
 ) {
     let (section, node) = (RelativeSection::new(sub, nodes, i), &nodes[i]);
     let (t, s, [lambda, mu]) = (node.t, 1.0 - node.t, node.handles);
-    let shares = equations::cubic_section_weights(t, node.handles);
-    let factors = equations::coefficients_from_weights(shares, section.betas[0], section.betas[1]);
+    let shares = control_equations::cubic_section_weights(t, node.handles);
+    let factors = control_equations::coefficients_from_weights(shares, section.betas[0], section.betas[1]);
     let unit = 1.0 / known.spacing;
     for (axis, row) in rows.iter_mut().take(3).enumerate() {
         row.iter_mut().zip(factors).for_each(|(point, factor)| point[axis] = factor * unit);

@@ -10,7 +10,7 @@
 //!
 //! Each bound costs O(N^2). The tolerance of queries covers the rounding of the few operations.
 
-use super::foot::FootPoint;
+use super::foot_point::FootPoint;
 use crate::Patch;
 use glam::{DVec2, DVec3};
 use gusset_base::geom::aabb::Aabb;
@@ -165,7 +165,7 @@ impl DotProductRange {
 
 #[cfg(test)]
 mod tests {
-    use super::super::foot::{MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot};
+    use super::super::foot_point::{MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot};
     use super::*;
     use gusset_base::testing::cases;
 
@@ -278,7 +278,7 @@ mod tests {
             graph_patch(|a, b| STEEP * (a * b) as f64 / 9.0),
         ];
         let at = |foot: &FootPoint, query: DVec3| {
-            let (_, hessian) = super::super::foot::gradient_and_hessian(&foot.jet, query);
+            let (_, hessian) = super::super::foot_point::gradient_and_hessian(&foot.jet, query);
             [hessian.x_axis.x, hessian.x_axis.y, hessian.y_axis.y]
         };
         let mut widest = [0.0_f64; 3];

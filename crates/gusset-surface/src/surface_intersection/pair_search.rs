@@ -2,14 +2,14 @@
 //! parameters across their longest sides.
 //!
 //! A box is decided if it is proven to contain no solution, or if its solutions are proven to form
-//! a graph (`chart`) whose arc is found (`arc`). A box is unresolved if the two pieces over it are
-//! within the tolerance of each other everywhere: the surfaces touch there, or coincide. Cost:
-//! O(N^2) for a test, O(N^3) for a split, at most `max_boxes` boxes.
+//! a graph (`solution_chart`) whose arc is found (`arc_search`). A box is unresolved if the two
+//! pieces over it are within the tolerance of each other everywhere: the surfaces touch there, or
+//! coincide. Cost: O(N^2) for a test, O(N^3) for a split, at most `max_boxes` boxes.
 
-use super::arc::{ArcBoxSearch, ArcEnd, MAX_CROSSING_PARAMETER_ROUNDING};
 use super::arc_refinement::ArcRefinement;
-use super::chart::ParameterBox;
-use super::equation::IntersectionEquation;
+use super::arc_search::{ArcBoxSearch, ArcEnd, MAX_CROSSING_PARAMETER_ROUNDING};
+use super::intersection_equation::IntersectionEquation;
+use super::solution_chart::ParameterBox;
 use crate::Patch;
 use glam::{DVec3, DVec4};
 use gusset_base::alloc;
