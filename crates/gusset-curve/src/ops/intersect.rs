@@ -71,7 +71,7 @@ const MAX_SEGMENT_HALVINGS: u32 = 20;
 /// Pairs of segments between two progress reports; each pair takes up to 20 ms.
 const PAIRS_PER_REPORT: usize = 4;
 
-const STAGE: &str = "intersections";
+const PROGRESS_STAGE: &str = "intersections";
 
 impl CurveView<'_> {
     /// Returns the common points of two plane curves. Crossings are exact up to rounding, touches
@@ -175,11 +175,11 @@ impl Intersections {
         let (mut all, mut found) = (Intersections::default(), SegmentIntersections::default());
         let mut pairs = 0usize;
         for (k, piece) in ours.iter().enumerate() {
-            job.step_every(64, k, ours.len(), STAGE)?;
+            job.step_every(64, k, ours.len(), PROGRESS_STAGE)?;
             tree.overlapping(&piece.bounding_box(), MAX_TOUCHING_BOX_GAP, |i| match joined(k, i) {
                 Some(joined) => {
                     if pairs % PAIRS_PER_REPORT == PAIRS_PER_REPORT - 1 {
-                        job.step(k as f64 / ours.len() as f64, STAGE)?;
+                        job.step(k as f64 / ours.len() as f64, PROGRESS_STAGE)?;
                     }
                     pairs += 1;
                     all.add_piece_intersections(piece, &theirs[i], joined, &mut found)

@@ -38,8 +38,8 @@ pub(super) fn solve_lock(
     if sub.options.method.chord_exponent() == Some(0.0) {
         return Ok(true);
     }
-    match self_consistent::is_planar(sub, solution) {
-        true => planar.solve(sub, solution, out),
-        false => spatial.solve(sub, solution, out),
+    match self_consistent::is_in_xy_plane(sub, solution) {
+        true => planar.solve_self_consistent(sub, solution, out),
+        false => spatial.solve_self_consistent(sub, solution, out),
     }
 }

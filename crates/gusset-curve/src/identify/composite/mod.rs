@@ -56,7 +56,7 @@ pub(super) fn append_composite_curve(
     solve_composite_curve(sub, workspace, out)?;
     let solution = workspace.solution();
     if !solution.handles.is_empty() {
-        return append_cubics(sub, solution, out);
+        return append_cubic_sections(sub, solution, out);
     }
     if !sub.closed {
         return append_open_quadratics(sub, solution, out);
@@ -75,7 +75,7 @@ pub(super) fn solve_composite_curve(
 ) -> Result<()> {
     let CompositeWorkspace { lock: workspace, joints } = workspace;
     let (n, solution, options) = (sub.len(), &mut workspace.solution, sub.options);
-    solution.resize(n)?;
+    solution.reserve_for_points(n)?;
     solution.beta.clear();
     solution.handles.clear();
     find_section_parameters(sub, solution, out.results);
@@ -136,7 +136,7 @@ fn find_section_parameters(sub: &Subcurve<'_>, solution: &mut CompositeSolution,
     let mut all_allowed = true;
     let (first, last) = (sections.start, sections.end);
     for i in first..last {
-        let (before, after) = (chords[i], chords[sub.next(i)]);
+        let (before, after) = (chords[i], chords[sub.next_index(i)]);
         let t = before / (before + after);
         all_allowed &= (low..=high).contains(&t);
         solution.t[i] = t;
@@ -181,7 +181,7 @@ fn append_open_quadratics(
 }
 
 /// Appends the segments of a subcurve of cubic sections, and stores the places of the points.
-fn append_cubics(sub: &Subcurve<'_>, solution: &CompositeSolution, out: &mut SubcurveOutput<'_>) -> Result<()> {
+fn append_cubic_sections(sub: &Subcurve<'_>, solution: &CompositeSolution, out: &mut SubcurveOutput<'_>) -> Result<()> {
     let SubcurveOutput { results, builder, .. } = out;
     let (n, ends) = (sub.len(), sub.end_controls());
     let last = n - 1;
