@@ -18,7 +18,7 @@ mod side_pieces;
 use super::checks::{check_finite, unit_vector};
 use super::line_intersection::{Line, MAX_LINE_COORDINATE};
 use super::{Place, Surface};
-use distance_search::{DISTANCE_STAGE, DistanceSearch};
+use distance_search::{DistanceSearch, PROGRESS_STAGE};
 use glam::DMat3;
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
@@ -224,7 +224,7 @@ impl Surface<'_> {
         tolerance: Option<f64>,
         job: &Job<'_>,
     ) -> Result<DistanceOutcome> {
-        job.step(0.0, DISTANCE_STAGE)?;
+        job.step(0.0, PROGRESS_STAGE)?;
         let tolerance = tolerance.unwrap_or(self.tolerance());
         Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)?;
         let all_points = || self.bounding_box_corners().into_iter().chain(extent.iter().copied());

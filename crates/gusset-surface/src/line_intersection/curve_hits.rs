@@ -148,7 +148,7 @@ impl Surface<'_> {
         for find in finds.iter_mut().filter(|find| find.tangent) {
             find.runs_inside = find.length > self.max_touch_length();
             let point = find.length <= MAX_POINT_HIT_LENGTH_IN_MERGE_DISTANCES * merge_distance
-                || self.is_crossing(find.place, curve_direction(curve, find.at));
+                || self.is_crossing_direction(find.place, curve_direction(curve, find.at));
             find.tangent = find.runs_inside || find.touches || !point;
         }
         sort::stable(&mut finds, &compare_curve_finds);

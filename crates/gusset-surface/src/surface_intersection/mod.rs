@@ -59,7 +59,7 @@ use glam::{DVec3, DVec4};
 use intersection_chain::{ChainedArcs, chain_arcs};
 use overlapping_arcs::OverlappingArcs;
 use pair_places::PairPlaces;
-use pair_search::{FoundArcs, IntersectionArc, PairTask};
+use pair_search::{CellPairTask, FoundArcs, IntersectionArc};
 use solution_chart::ParameterBox;
 use std::ops::Range;
 
@@ -295,11 +295,11 @@ impl SurfaceIntersection<'_> {
     }
 
     /// The parameters for solving pair k.
-    fn pair_task(&self, k: u32, rounding_error: f64, max_boxes: usize, last: bool) -> PairTask {
+    fn pair_task(&self, k: u32, rounding_error: f64, max_boxes: usize, last: bool) -> CellPairTask {
         let [tolerance, resolution] = [self.tolerance, self.resolution].map(|length| length.max(8.0 * rounding_error));
         let (neighbours, chord, shortest) =
             (self.pair_has_neighbours(k), self.chord, self.shortest.max(4.0 * rounding_error));
-        PairTask { pair: k, neighbours, tolerance, resolution, shortest, chord, max_boxes, last, rounding_error }
+        CellPairTask { pair: k, neighbours, tolerance, resolution, shortest, chord, max_boxes, last, rounding_error }
     }
 
     /// Adds the arcs of pairs of two sheets.
@@ -308,11 +308,11 @@ impl SurfaceIntersection<'_> {
         a: &impl SheetCells<N>,
         b: &impl SheetCells<M>,
         pairs: &[u32],
-        task: &impl Fn(u32, f64) -> PairTask,
+        task: &impl Fn(u32, f64) -> CellPairTask,
         pieces: &mut FoundArcs,
         job: &Job<'_>,
     ) -> Result<()> {
-        let mut whole = ParameterBox::<N, M>::WHOLE;
+        let mut whole = ParameterBox::<N, M>::WHOLE_PATCHES;
         let (mut last, mut size_a) = (None, 0.0);
         for &k in pairs {
             let [p, q] = self.places.pairs[k as usize].cells;
