@@ -37,7 +37,7 @@ pub(super) trait ContourSource<const M: usize>: Sync {
 
     /// The data to test a cell by its corners, if they bound the field closely.
     #[inline]
-    fn corner_test(&self, _block: &Self::BlockData, _cell: [usize; 2]) -> Option<CornerTest> {
+    fn corner_test(&self, _block: &Self::BlockData, _cell: [usize; 2]) -> Option<CornerTestData> {
         None
     }
 
@@ -109,7 +109,7 @@ impl<const M: usize> PreparedCell<BernsteinField<M>> {
 }
 
 /// A field over a cell, known from its corners.
-pub(super) struct CornerTest {
+pub(super) struct CornerTestData {
     /// The levels that may cross the cell.
     pub(super) levels: Range<usize>,
     /// The values at the corners 2 u + v, from which levels are subtracted.
@@ -302,8 +302,8 @@ where
     /// A control point of the surface may differ by 2 deviations from the bilinear patch: see
     /// `projected_normals`.
     #[inline]
-    fn corner_test(&self, block: &NodalBlock, cell: [usize; 2]) -> Option<CornerTest> {
-        block.deviation.is_finite().then(|| CornerTest {
+    fn corner_test(&self, block: &NodalBlock, cell: [usize; 2]) -> Option<CornerTestData> {
+        block.deviation.is_finite().then(|| CornerTestData {
             levels: levels_between(self.levels, block.value_range(cell), self.rounding_error),
             corners: block.corner_values(cell),
             slack: 2.0 * block.deviation,

@@ -32,7 +32,7 @@ impl Surface<'_> {
     /// True if a direction crosses the surface next to a place, away from the sides of its cell. An
     /// unresolved hit is then not a contact, but a place where parameters are not regular, such as
     /// a pole.
-    pub(super) fn is_crossing(&self, place: Place, direction: DVec3) -> bool {
+    pub(super) fn is_crossing_direction(&self, place: Place, direction: DVec3) -> bool {
         if !self.is_regular_at(place) {
             return self.normal(place).dot(direction).abs() > 1e-4;
         }
@@ -151,7 +151,7 @@ impl Surface<'_> {
                 Hit { span: [start, end], multiplicity: 0, ..first }
             } else if is_point
                 && ((end - start) * length <= MAX_POINT_HIT_LENGTH_IN_MERGE_DISTANCES * self.hit_merge_distance()
-                    || self.is_crossing(nearest.place, along))
+                    || self.is_crossing_direction(nearest.place, along))
             {
                 Hit { span: [nearest.at; 2], multiplicity: 1, tangent: false, ..nearest }
             } else {

@@ -4,7 +4,7 @@
 //! "Projected Newton methods for optimization problems with simple constraints"). Uses Gauss-Newton
 //! steps where the Hessian is not positive definite, steepest descent where those overshoot, and
 //! backtracking. Invariant: the distance decreases with each step. The result is not proven; see
-//! `bounds`. At most [`MAX_NEWTON_STEPS_ON_PATCH`] steps.
+//! `patch_bounds`. At most [`MAX_NEWTON_STEPS_ON_PATCH`] steps.
 
 use crate::{Jet, Patch};
 use glam::{DMat2, DVec2, DVec3};
@@ -16,7 +16,7 @@ pub(super) const MAX_NEWTON_STEPS_ON_PATCH: usize = 24;
 pub(super) const MAX_NEWTON_STEPS_ON_PART: usize = 6;
 /// A full step shorter than this, in parameters, is the last one, because the next one would be its
 /// square.
-const LAST_STEP_LENGTH: f64 = 1e-7;
+const LAST_STEP_PARAMETER_LENGTH: f64 = 1e-7;
 /// A parameter within this distance of a border counts as on it.
 const MAX_DISTANCE_ON_BORDER: f64 = 1e-13;
 
@@ -57,7 +57,7 @@ pub(super) fn descend_to_foot<const N: usize>(
         let Some(step) = newton_step(gradient, hessian, &foot.jet, free) else { break };
         let (next, done) = match try_shorter_steps(patch, query, &foot, step) {
             StepOutcome::Down { next, whole } => {
-                (next, whole && (next.place - foot.place).abs().max_element() < LAST_STEP_LENGTH)
+                (next, whole && (next.place - foot.place).abs().max_element() < LAST_STEP_PARAMETER_LENGTH)
             }
             StepOutcome::Ended => break,
             StepOutcome::Overshot => {
@@ -105,7 +105,7 @@ fn try_shorter_steps<const N: usize>(patch: &Patch<N>, query: DVec3, foot: &Foot
             return StepOutcome::Down { next, whole: length == 1.0 };
         }
         // This close to the minimum, rounding decides.
-        if moved < LAST_STEP_LENGTH {
+        if moved < LAST_STEP_PARAMETER_LENGTH {
             return StepOutcome::Ended;
         }
         length = 0.25 * length.min(bounded);

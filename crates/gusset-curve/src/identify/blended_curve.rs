@@ -18,10 +18,10 @@
 //! Source: Nadopta, the overlapping sections of figure 2; Barry and Goldman, 1988, for the linear
 //! blend; C. Yuksel, 2020, for blends that keep second derivatives, there trigonometric.
 
+use super::composite_solution::CompositeSolution;
 use super::identify_options::Mode;
 use super::method::{Method, section_at_parameter};
 use super::report::PointStatus;
-use super::solution::CompositeSolution;
 use super::subcurve::{Subcurve, SubcurveOutput};
 use gusset_base::error::Result;
 
@@ -35,7 +35,7 @@ pub(super) fn append_blended_curve(
     out: &mut SubcurveOutput<'_>,
 ) -> Result<()> {
     let (points, n, method) = (sub.points, sub.len(), sub.options.method);
-    solution.resize(n)?;
+    solution.reserve_for_points(n)?;
     let (controls, parameters) = (&mut solution.controls, &mut solution.t);
     for i in sub.section_indices() {
         let [a, p, c] = sub.point_and_neighbours(i);
@@ -58,7 +58,7 @@ pub(super) fn append_blended_curve(
     }
     out.builder.begin_at_point(points[0])?;
     for i in sub.span_indices() {
-        let next = sub.next(i);
+        let next = sub.next_index(i);
         let (p, q) = (points[i], points[next]);
         let half = 0.5 * p.distance(q);
         let forward = (sub.closed || i > 0).then(|| controls[i].lerp(q, parameters[i]));

@@ -4,12 +4,12 @@
 //! the line does not lead to them, it starts at a solution inside. Bounds of slopes prove that the
 //! curve does not return: each parameter is monotone along the curve, or stays inside the box. A
 //! curve that runs along a side of the box within rounding does neither. It belongs to the boxes on
-//! both sides, and each of them finds it (`overlap`).
+//! both sides, and each of them finds it (`overlapping_arcs`).
 //!
 //! Cost: a few Newton steps for each exit, O(N^2 + M^2) each.
 
-use super::chart::{GRAPH_MARGIN_FRACTION, ParameterBox, SolutionChart};
-use super::equation::{DifferenceFrame, IntersectionEquation};
+use super::intersection_equation::{DifferenceFrame, IntersectionEquation};
+use super::solution_chart::{GRAPH_MARGIN_FRACTION, ParameterBox, SolutionChart};
 use glam::{DVec3, DVec4};
 use gusset_base::geom::aabb::range;
 use gusset_base::geom::subdivision::BoxTest;

@@ -16,7 +16,7 @@
 //! where |e_i|^3 cancels. All equations are dimensionless: lengths are divided by the spacing of
 //! the points.
 
-use super::super::{equations, self_consistent};
+use super::super::{control_equations, self_consistent};
 use crate::identify::subcurve::Subcurve;
 use glam::DVec3;
 
@@ -55,7 +55,7 @@ pub(super) enum LockEquation {
 
 /// The given quantities of a point.
 #[derive(Clone, Copy)]
-pub(super) struct GivenQuantities {
+pub(super) struct GivenPointQuantities {
     pub(super) lock_equation: LockEquation,
     /// The unit of length: the distance between its neighbours.
     pub(super) spacing: f64,
@@ -73,25 +73,25 @@ pub(super) struct GivenQuantities {
 /// the legs from and to its points.
 pub(super) fn legs_at_control_point(sub: &Subcurve<'_>, nodes: &[PointUnknowns], i: usize) -> [DVec3; 2] {
     let b = nodes[i].control;
-    let first = if sub.closed || i > 0 { nodes[sub.previous(i)].control } else { sub.points[0] };
-    let last = if sub.closed || i + 1 < sub.len() { nodes[sub.next(i)].control } else { sub.points[i] };
+    let first = if sub.closed || i > 0 { nodes[sub.previous_index(i)].control } else { sub.points[0] };
+    let last = if sub.closed || i + 1 < sub.len() { nodes[sub.next_index(i)].control } else { sub.points[i] };
     [b - first, last - b]
 }
 
 /// Returns the beta before section `i`; 0 for the segment that begins an open subcurve.
-fn beta_before(sub: &Subcurve<'_>, nodes: &[PointUnknowns], i: usize) -> f64 {
-    if sub.closed || i > 0 { nodes[sub.previous(i)].beta } else { 0.0 }
+fn joint_parameter_before(sub: &Subcurve<'_>, nodes: &[PointUnknowns], i: usize) -> f64 {
+    if sub.closed || i > 0 { nodes[sub.previous_index(i)].beta } else { 0.0 }
 }
 
 /// Returns the beta behind section `i`; 1 for the segment that ends an open subcurve.
-fn beta_after(sub: &Subcurve<'_>, nodes: &[PointUnknowns], i: usize) -> f64 {
+fn joint_parameter_after(sub: &Subcurve<'_>, nodes: &[PointUnknowns], i: usize) -> f64 {
     if sub.closed || i + 1 < sub.len() { nodes[i].beta } else { 1.0 }
 }
 
 /// Returns the equations of point `i`; missing ones are 0.
 pub(super) fn evaluate_equations(
     sub: &Subcurve<'_>,
-    known: &[GivenQuantities],
+    known: &[GivenPointQuantities],
     nodes: &[PointUnknowns],
     i: usize,
 ) -> [f64; EQUATIONS_PER_POINT] {
@@ -110,7 +110,7 @@ pub(super) fn evaluate_equations(
     }
     if known[i].curved {
         values[4] = log_scaled_curvature_at_end(sub, known, nodes, i)
-            - log_scaled_curvature_at_start(sub, known, nodes, sub.next(i));
+            - log_scaled_curvature_at_start(sub, known, nodes, sub.next_index(i));
     }
     values
 }
@@ -118,29 +118,29 @@ pub(super) fn evaluate_equations(
 /// Returns log (2/3 kappa |e_i|^3) at the end of section `i`; NaN if the polygon has an inflection.
 fn log_scaled_curvature_at_end(
     sub: &Subcurve<'_>,
-    known: &[GivenQuantities],
+    known: &[GivenPointQuantities],
     nodes: &[PointUnknowns],
     i: usize,
 ) -> f64 {
     let [lambda, mu] = nodes[i].handles;
-    let (before, beta) = (beta_before(sub, nodes, i), beta_after(sub, nodes, i));
+    let (before, beta) = (joint_parameter_before(sub, nodes, i), joint_parameter_after(sub, nodes, i));
     libm::log((1.0 - lambda) * (1.0 - before) * doubled_triangle_area(sub, known, nodes, i) / (mu * beta).powi(2))
 }
 
 /// Returns the logarithm at the start of section `i`, with |e_(i-1)|^3.
 fn log_scaled_curvature_at_start(
     sub: &Subcurve<'_>,
-    known: &[GivenQuantities],
+    known: &[GivenPointQuantities],
     nodes: &[PointUnknowns],
     i: usize,
 ) -> f64 {
     let [lambda, mu] = nodes[i].handles;
-    let (before, beta) = (beta_before(sub, nodes, i), beta_after(sub, nodes, i));
+    let (before, beta) = (joint_parameter_before(sub, nodes, i), joint_parameter_after(sub, nodes, i));
     libm::log((1.0 - mu) * beta * doubled_triangle_area(sub, known, nodes, i) / (lambda * (1.0 - before)).powi(2))
 }
 
 /// E_i; negative if the polygon has an inflection.
-fn doubled_triangle_area(sub: &Subcurve<'_>, known: &[GivenQuantities], nodes: &[PointUnknowns], i: usize) -> f64 {
+fn doubled_triangle_area(sub: &Subcurve<'_>, known: &[GivenPointQuantities], nodes: &[PointUnknowns], i: usize) -> f64 {
     let [before, after] = legs_at_control_point(sub, nodes, i);
     let across = before.cross(after);
     across.length().copysign(across.dot(known[i].normal))
@@ -162,12 +162,12 @@ impl RelativeSection {
     fn new(sub: &Subcurve<'_>, nodes: &[PointUnknowns], i: usize) -> Self {
         let b = nodes[i].control - sub.points[i];
         let [before, after] = legs_at_control_point(sub, nodes, i);
-        let betas = [beta_before(sub, nodes, i), nodes[i].beta];
+        let betas = [joint_parameter_before(sub, nodes, i), nodes[i].beta];
         RelativeSection { b, u: b - before * (1.0 - betas[0]), v: b + after * betas[1], legs: [before, after], betas }
     }
 
     fn offset_from_point(&self, node: &PointUnknowns) -> DVec3 {
-        let [first, middle, last] = equations::cubic_section_weights(node.t, node.handles);
+        let [first, middle, last] = control_equations::cubic_section_weights(node.t, node.handles);
         self.u * first + self.b * middle + self.v * last
     }
 }
@@ -176,7 +176,7 @@ impl RelativeSection {
 /// points, beginning with the previous point.
 pub(super) fn differentiate_equations(
     sub: &Subcurve<'_>,
-    known: &[GivenQuantities],
+    known: &[GivenPointQuantities],
     nodes: &[PointUnknowns],
     i: usize,
 ) -> EquationDerivatives {
@@ -187,22 +187,22 @@ pub(super) fn differentiate_equations(
     if known[i].curved {
         // The section before the joint, and the section behind it, one point further.
         differentiate_log_end_curvature(sub, known, nodes, i, 1.0, &mut rows[4]);
-        differentiate_log_end_curvature(sub, known, nodes, sub.next(i), -1.0, &mut rows[4]);
+        differentiate_log_end_curvature(sub, known, nodes, sub.next_index(i), -1.0, &mut rows[4]);
     }
     rows
 }
 
 fn differentiate_section_equations(
     sub: &Subcurve<'_>,
-    known: &GivenQuantities,
+    known: &GivenPointQuantities,
     nodes: &[PointUnknowns],
     i: usize,
     rows: &mut EquationDerivatives,
 ) {
     let (section, node) = (RelativeSection::new(sub, nodes, i), &nodes[i]);
     let (t, s, [lambda, mu]) = (node.t, 1.0 - node.t, node.handles);
-    let shares = equations::cubic_section_weights(t, node.handles);
-    let factors = equations::coefficients_from_weights(shares, section.betas[0], section.betas[1]);
+    let shares = control_equations::cubic_section_weights(t, node.handles);
+    let factors = control_equations::coefficients_from_weights(shares, section.betas[0], section.betas[1]);
     let unit = 1.0 / known.spacing;
     for (axis, row) in rows.iter_mut().take(3).enumerate() {
         row.iter_mut().zip(factors).for_each(|(point, factor)| point[axis] = factor * unit);
@@ -240,7 +240,7 @@ fn differentiate_section_equations(
 /// if `sign` is 1, otherwise at its start. The row begins at the point before the joint.
 fn differentiate_log_end_curvature(
     sub: &Subcurve<'_>,
-    known: &[GivenQuantities],
+    known: &[GivenPointQuantities],
     nodes: &[PointUnknowns],
     i: usize,
     sign: f64,
@@ -258,7 +258,7 @@ fn differentiate_log_end_curvature(
         (0..3).for_each(|axis| row[point][axis] += by[axis]);
     }
     let [lambda, mu] = nodes[i].handles;
-    let (first, last) = (beta_before(sub, nodes, i), beta_after(sub, nodes, i));
+    let (first, last) = (joint_parameter_before(sub, nodes, i), joint_parameter_after(sub, nodes, i));
     if ends {
         row[own - 1][4] -= sign * first;
         row[own][4] -= sign * 2.0 * (1.0 - last);

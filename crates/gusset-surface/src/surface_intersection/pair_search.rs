@@ -2,14 +2,14 @@
 //! parameters across their longest sides.
 //!
 //! A box is decided if it is proven to contain no solution, or if its solutions are proven to form
-//! a graph (`chart`) whose arc is found (`arc`). A box is unresolved if the two pieces over it are
-//! within the tolerance of each other everywhere: the surfaces touch there, or coincide. Cost:
-//! O(N^2) for a test, O(N^3) for a split, at most `max_boxes` boxes.
+//! a graph (`solution_chart`) whose arc is found (`arc_search`). A box is unresolved if the two
+//! pieces over it are within the tolerance of each other everywhere: the surfaces touch there, or
+//! coincide. Cost: O(N^2) for a test, O(N^3) for a split, at most `max_boxes` boxes.
 
-use super::arc::{ArcBoxSearch, ArcEnd, MAX_CROSSING_PARAMETER_ROUNDING};
 use super::arc_refinement::ArcRefinement;
-use super::chart::ParameterBox;
-use super::equation::IntersectionEquation;
+use super::arc_search::{ArcBoxSearch, ArcEnd, MAX_CROSSING_PARAMETER_ROUNDING};
+use super::intersection_equation::IntersectionEquation;
+use super::solution_chart::ParameterBox;
 use crate::Patch;
 use glam::{DVec3, DVec4};
 use gusset_base::alloc;
@@ -127,7 +127,7 @@ impl FoundArcs {
 
 /// The parameters for solving a pair of cells.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct PairTask {
+pub(super) struct CellPairTask {
     pub(super) pair: u32,
     /// For each parameter, whether the sheet has another cell before and after.
     pub(super) neighbours: [[bool; 2]; 4],
@@ -147,7 +147,7 @@ pub(super) struct PairTask {
     pub(super) rounding_error: f64,
 }
 
-impl PairTask {
+impl CellPairTask {
     /// Whether each end of an arc is on a side without another cell beyond it. A side along which
     /// the arc runs does not count.
     fn are_ends_at_border(&self, ends: [DVec4; 2], is_along_side: bool) -> [bool; 2] {
@@ -195,7 +195,7 @@ fn max_control_distance<const N: usize>(centre: DVec3, patch: &Patch<N>) -> f64 
 
 /// The search in one pair of cells.
 pub(super) struct CellPairSearch<'a, const N: usize, const M: usize> {
-    task: &'a PairTask,
+    task: &'a CellPairTask,
     equation: &'a IntersectionEquation<N, M>,
     /// The counts before the search.
     before: [usize; 3],
@@ -232,7 +232,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         &mut self,
         part: &Cow<'a, ParameterBox<N, M>>,
     ) -> Result<BoxTest<([ArcEnd; 2], usize), usize>, SearchStop> {
-        let (PairTask { tolerance, resolution, rounding_error, .. }, equation) = (*self.task, self.equation);
+        let (CellPairTask { tolerance, resolution, rounding_error, .. }, equation) = (*self.task, self.equation);
         self.examined += 1;
         if self.examined.is_multiple_of(BOXES_PER_REPORT) {
             self.report_progress()?;
@@ -403,7 +403,7 @@ impl<const N: usize, const M: usize> CellPairSearch<'_, N, M> {
 
     /// Reports a box as a ball around it. Merges balls of the same pair that touch.
     pub(super) fn report_ball(&mut self, part: &ParameterBox<N, M>, is_whole: bool) {
-        let (PairTask { pair, resolution, .. }, equation) = (*self.task, self.equation);
+        let (CellPairTask { pair, resolution, .. }, equation) = (*self.task, self.equation);
         let x = part.middle_point();
         let frame = equation.frame_at(x);
         // Common points lie in both pieces. If one piece is much smaller, it locates them better.

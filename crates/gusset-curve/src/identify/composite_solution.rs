@@ -39,7 +39,7 @@ pub(super) struct CompositeSolution {
 }
 
 impl CompositeSolution {
-    pub(super) fn resize(&mut self, n: usize) -> Result<()> {
+    pub(super) fn reserve_for_points(&mut self, n: usize) -> Result<()> {
         for list in [&mut self.t, &mut self.data_t, &mut self.upper, &mut self.across] {
             alloc::grow(list, n, 0.0)?;
         }
@@ -66,14 +66,14 @@ impl CompositeSolution {
     /// point.
     #[inline(always)]
     pub(super) fn control_and_joints_relative_to_point(&self, sub: &Subcurve<'_>, i: usize) -> [DVec3; 3] {
-        let (previous, next) = (sub.previous(i), sub.next(i));
+        let (previous, next) = (sub.previous_index(i), sub.next_index(i));
         let p = sub.points[i];
         let [a, b, c] = [previous, i, next].map(|k| self.controls[k] - p);
         [b, a + (b - a) * self.joints[previous], b + (c - b) * self.joints[i]]
     }
 
     /// Sets all joint parameters to 1/2.
-    pub(super) fn reset_joints(&mut self, n: usize) -> Result<()> {
+    pub(super) fn reset_joint_parameters(&mut self, n: usize) -> Result<()> {
         alloc::reset(&mut self.beta, n, 0.5)
     }
 
@@ -93,7 +93,7 @@ impl CompositeSolution {
     /// J_i, the joint behind section `i`; the ends of an open subcurve count as joints.
     #[inline]
     pub(super) fn joint_point(&self, sub: &Subcurve<'_>, i: usize) -> DVec3 {
-        let (last, next) = (sub.len() - 1, sub.next(i));
+        let (last, next) = (sub.len() - 1, sub.next_index(i));
         if !sub.closed {
             if i == 0 && sub.tangents[0].is_none() {
                 return sub.points[0];

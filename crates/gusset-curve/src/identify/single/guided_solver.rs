@@ -36,7 +36,7 @@ const MAX_CONTROL_POINT_MOVE: f64 = 1e3;
 
 /// Sweeps between two progress reports, over a few points.
 const SWEEPS_PER_REPORT: usize = 1 << 8;
-const STAGE: &str = "placing control points";
+const PROGRESS_STAGE: &str = "placing control points";
 /// The smallest fraction of a Newton step that is tried.
 const MIN_STEP_FRACTION: f64 = 1e-3;
 
@@ -97,9 +97,9 @@ impl Collocation {
     ) -> Result<bool> {
         let (report, job) = (&mut *out.report, out.job);
         let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
-        let first = self.inner_range().start;
+        let first = self.inner_control_range().start;
         for sweep in 0..max_sweeps {
-            job.step_every(SWEEPS_PER_REPORT, sweep as usize, max_sweeps as usize, STAGE)?;
+            job.step_every(SWEEPS_PER_REPORT, sweep as usize, max_sweeps as usize, PROGRESS_STAGE)?;
             report.iterations += 1;
             let mut farthest = 0.0f64;
             for i in 1..=self.inner_point_count() {
@@ -201,7 +201,7 @@ impl Collocation {
     /// Finds the steps along the guides and of the parameters, from the x and y components of
     /// `right`. Returns false if the equations are singular.
     fn compute_newton_step(&mut self, normal: DVec3) -> Result<bool> {
-        let (inner, first, degree) = (self.inner_point_count(), self.inner_range().start, self.degree());
+        let (inner, first, degree) = (self.inner_point_count(), self.inner_control_range().start, self.degree());
         self.previous.copy_from_slice(&self.controls);
         self.previous_t[..inner].copy_from_slice(&self.t[1..=inner]);
         for k in 0..degree {
@@ -238,7 +238,7 @@ impl Collocation {
     /// Takes the step, or half of it, and so on until the residual falls. Returns the residual and
     /// the fraction, or `None` if no fraction helps.
     fn halve_step_until_residual_falls(&mut self, residual: (f64, f64), tolerance: f64) -> Option<((f64, f64), f64)> {
-        let first = self.inner_range().start;
+        let first = self.inner_control_range().start;
         let mut fraction = 1.0;
         while fraction >= MIN_STEP_FRACTION {
             for i in 1..=self.inner_point_count() {

@@ -17,7 +17,7 @@
 //! With lambda = mu = 2/3 it is the quadratic. Its point at t has different weights of the three
 //! corners, see [`cubic_section_weights`]; everything else stays.
 
-use crate::identify::solution::CompositeSolution;
+use crate::identify::composite_solution::CompositeSolution;
 use crate::identify::subcurve::Subcurve;
 use gusset_base::geom::linear::tridiagonal;
 

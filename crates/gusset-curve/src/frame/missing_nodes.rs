@@ -77,7 +77,7 @@ impl SectionRows {
         Ok(SectionRows { nodes, is_missing, rows, columns, ring: options.ring, closed: sections.closed })
     }
 
-    fn node(&self, row: usize, column: usize) -> Option<DVec3> {
+    fn node_if_present(&self, row: usize, column: usize) -> Option<DVec3> {
         let place = row * self.columns + column;
         (!self.is_missing[place]).then(|| DVec3::from_array(self.nodes[place]))
     }
@@ -87,7 +87,8 @@ impl SectionRows {
         let mut steps = alloc::filled(0.0, self.rows)?;
         for (row, step) in steps.iter_mut().enumerate() {
             let next = (row + 1) % self.rows;
-            let pairs = (0..self.columns).filter_map(|column| self.node(row, column).zip(self.node(next, column)));
+            let pairs = (0..self.columns)
+                .filter_map(|column| self.node_if_present(row, column).zip(self.node_if_present(next, column)));
             let (sum, count) =
                 pairs.fold((0.0, 0.0), |(sum, count), (p, q)| (sum + distance(p, q).sqrt(), count + 1.0));
             *step = if count > 0.0 { sum / count } else { 0.0 };
@@ -119,7 +120,7 @@ impl SectionRows {
             });
             let step = |column: usize, k: usize| {
                 let row = |k: usize| (first + k as isize).rem_euclid(self.rows as isize) as usize;
-                let (p, q) = (self.node(row(k), column)?, self.node(row(k + 1), column)?);
+                let (p, q) = (self.node_if_present(row(k), column)?, self.node_if_present(row(k + 1), column)?);
                 Some(distance(p, q).sqrt()).filter(|&step| step > 0.0)
             };
             let mut complete = away.filter(|&other| (0..count - 1).all(|k| step(other, k).is_some()));
@@ -144,10 +145,10 @@ impl SectionRows {
                 return None;
             }
             let row = present[k.rem_euclid(count) as usize];
-            Some((row as isize + k.div_euclid(count) * all, self.node(row, column)?))
+            Some((row as isize + k.div_euclid(count) * all, self.node_if_present(row, column)?))
         };
         let mut found = Vec::new();
-        for row in (0..self.rows).filter(|&row| self.node(row, column).is_none()) {
+        for row in (0..self.rows).filter(|&row| self.node_if_present(row, column).is_none()) {
             let next = present.partition_point(|&other| other < row) as isize;
             let (Some(before), Some(after), true) = (known(next - 1), known(next), count > 1) else {
                 return Err(Error::NoNode { section: row as u32, column: column as u32 });

@@ -6,9 +6,9 @@
 //!
 //! Cost: O(log n) for each ball, for each end of a chain, and for each close pair of them.
 
+use super::arc_links::{ArcChain, ArcLinks, NO_LINKED_ARC};
 use super::contact::CriticalPoint;
-use super::links::{ArcChain, ArcLinks, NO_LINKED_ARC};
-use super::solve::{FoundArcs, IntersectionArc, UnresolvedBall};
+use super::pair_search::{FoundArcs, IntersectionArc, UnresolvedBall};
 use glam::DVec3;
 use glam::DVec4;
 use gusset_base::alloc;

@@ -7,8 +7,8 @@
 //!
 //! Cost: O(log n) for each arc along a side, and a few evaluations for each close end.
 
-use super::places::{CurvePoint, PairPlaces};
-use super::solve::{FoundArcs, IntersectionArc};
+use super::pair_places::{IntersectionCurvePoint, PairPlaces};
+use super::pair_search::{FoundArcs, IntersectionArc};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -30,7 +30,7 @@ struct ArcCut {
     behind: u32,
     /// Fraction of the chord at the cut.
     way: f64,
-    at: CurvePoint,
+    at: IntersectionCurvePoint,
 }
 
 /// Cuts the arcs of all pairs of cells.
@@ -144,7 +144,7 @@ impl OverlappingArcs<'_> {
         alloc::extend(&mut made.points, last)?;
         part.to = made.points.len() as u32;
         for (k, cut) in cuts.into_iter().enumerate() {
-            if let Some(CurvePoint { point, direction, .. }) = cut.map(|cut| cut.at) {
+            if let Some(IntersectionCurvePoint { point, direction, .. }) = cut.map(|cut| cut.at) {
                 (part.ends[k], part.directions[k], part.is_cut[k]) = (point, direction, true);
             }
         }

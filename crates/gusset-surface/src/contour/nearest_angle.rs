@@ -13,9 +13,9 @@
 
 use super::cone_culling;
 use super::contour_lattice::ContourLattice;
-use super::normals::{Hodographs, sum_of_squared_fields};
+use super::contour_source::SideContinuity;
+use super::normal_fields::{Hodographs, sum_of_squared_fields};
 use super::projected_normals::{ProjectedNormals, frame_with_third_axis};
-use super::source::SideContinuity;
 use crate::cells::SheetCells;
 use crate::checks::unit_vector;
 use crate::index::ConePyramid;

@@ -11,7 +11,7 @@
 //!
 //! Cost: O(N^3) for each part, at most [`MAX_EXAMINED_PARTS`] parts.
 
-use super::field::{BernsteinField, FieldJet};
+use super::bernstein_field::{BernsteinField, FieldJet};
 use glam::DVec2;
 use gusset_base::error::Result;
 use gusset_base::geom::subdivision::{

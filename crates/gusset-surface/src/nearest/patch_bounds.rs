@@ -10,7 +10,7 @@
 //!
 //! Each bound costs O(N^2). The tolerance of queries covers the rounding of the few operations.
 
-use super::foot::FootPoint;
+use super::foot_point::FootPoint;
 use crate::Patch;
 use glam::{DVec2, DVec3};
 use gusset_base::geom::aabb::Aabb;
@@ -52,9 +52,10 @@ impl<const N: usize> Patch<N> {
 
     /// The convexity bound; 0 if the Hessian may be indefinite somewhere.
     pub(super) fn distance_bound_by_convexity(&self, query: DVec3, foot: &FootPoint) -> f64 {
-        let at_middle =
-            || self.hessian_range(query, &FootPoint::from_place(self, query, DVec2::splat(0.5))).min_eigenvalue();
-        let at_foot = self.hessian_range(query, foot).min_eigenvalue();
+        let at_middle = || {
+            self.hessian_entry_ranges(query, &FootPoint::from_place(self, query, DVec2::splat(0.5))).min_eigenvalue()
+        };
+        let at_foot = self.hessian_entry_ranges(query, foot).min_eigenvalue();
         let Some(least) = at_foot.or_else(at_middle) else { return 0.0 };
         let gain = foot.projected_gradient(query).length_squared() / least;
         (foot.distance * foot.distance - gain).max(0.0).sqrt()
@@ -66,7 +67,7 @@ impl<const N: usize> Patch<N> {
     /// H_ab = S_a . S_b + (S - q) . S_ab. The deviations from place x obey |S_u - S_u(x)| <= |du|
     /// max |S_uu| + |dv| max |S_uv|. Let r be the largest distance of a control point from S(x),
     /// which bounds |S - S(x)|. Then (S - q) . S_ab is within r max |S_ab| of (S(x) - q) . S_ab.
-    pub(super) fn hessian_range(&self, query: DVec3, foot: &FootPoint) -> HessianEntryRanges {
+    pub(super) fn hessian_entry_ranges(&self, query: DVec3, foot: &FootPoint) -> HessianEntryRanges {
         let p = &self.points;
         let from = foot.jet.point - query;
         let radius = self.max_control_distance(foot.jet.point);
@@ -165,7 +166,7 @@ impl DotProductRange {
 
 #[cfg(test)]
 mod tests {
-    use super::super::foot::{MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot};
+    use super::super::foot_point::{MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot};
     use super::*;
     use gusset_base::testing::cases;
 
@@ -278,14 +279,14 @@ mod tests {
             graph_patch(|a, b| STEEP * (a * b) as f64 / 9.0),
         ];
         let at = |foot: &FootPoint, query: DVec3| {
-            let (_, hessian) = super::super::foot::gradient_and_hessian(&foot.jet, query);
+            let (_, hessian) = super::super::foot_point::gradient_and_hessian(&foot.jet, query);
             [hessian.x_axis.x, hessian.x_axis.y, hessian.y_axis.y]
         };
         let mut widest = [0.0_f64; 3];
         let all = sheets.into_iter().chain((0..cases(20) as usize).map(rough_patch)).enumerate();
         for (k, patch) in all {
             for (query, from) in sample_queries().flat_map(|query| [0.0, 0.5, 1.0].map(|t| (query, DVec2::splat(t)))) {
-                let range = patch.hessian_range(query, &FootPoint::from_place(&patch, query, from));
+                let range = patch.hessian_entry_ranges(query, &FootPoint::from_place(&patch, query, from));
                 let range = [range.uu, range.uv, range.vv];
                 let mut found = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
                 for place in sample_places() {

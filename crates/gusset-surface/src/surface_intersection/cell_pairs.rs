@@ -38,7 +38,7 @@ struct IndexedSheet<'a> {
 }
 
 /// A block of one of the sheets.
-struct BlockNode {
+struct PyramidBlock {
     level: usize,
     row: usize,
     column: usize,
@@ -103,10 +103,10 @@ impl Parallelepiped {
     }
 }
 
-impl BlockNode {
-    fn whole_sheet(index: &BoxPyramid, shift: DVec3) -> BlockNode {
+impl PyramidBlock {
+    fn whole_sheet(index: &BoxPyramid, shift: DVec3) -> PyramidBlock {
         let bounds = translate_box(index.bounding_box(), shift - index.origin());
-        BlockNode { level: index.levels().len(), row: 0, column: 0, bounds, solid: None }
+        PyramidBlock { level: index.levels().len(), row: 0, column: 0, bounds, solid: None }
     }
 
     /// Child k, if it exists and may be within `gap` of another block.
@@ -115,9 +115,9 @@ impl BlockNode {
         k: usize,
         index: &BoxPyramid,
         shift: DVec3,
-        near: &BlockNode,
+        near: &PyramidBlock,
         gap: f64,
-    ) -> Option<BlockNode> {
+    ) -> Option<PyramidBlock> {
         let level = &index.levels()[self.level - 1];
         // The boxes of blocks that do not exist are empty.
         let bounds = translate_box(level.child_boxes(self.row, self.column).child_box(k), shift);
@@ -127,7 +127,7 @@ impl BlockNode {
         let (row, column) = (2 * self.row + k / 2, 2 * self.column + k % 2);
         let solid = level.oriented_box(row, column).map(|oriented| Parallelepiped::from_oriented_box(oriented, shift));
         let apart = solid.as_ref().zip(near.solid.as_ref()).is_some_and(|(one, other)| !one.may_meet(other, gap));
-        (!apart).then_some(BlockNode { level: self.level - 1, row, column, bounds, solid })
+        (!apart).then_some(PyramidBlock { level: self.level - 1, row, column, bounds, solid })
     }
 
     fn longest_side(&self) -> f64 {
@@ -222,7 +222,7 @@ impl BlockCells {
     };
 
     /// Reads the block at a node, unless it is the current one.
-    fn read_block(&mut self, sheet: &IndexedSheet<'_>, node: &BlockNode, origin: DVec3) {
+    fn read_block(&mut self, sheet: &IndexedSheet<'_>, node: &PyramidBlock, origin: DVec3) {
         if self.at == [node.row, node.column] {
             return;
         }
@@ -264,7 +264,7 @@ impl Surface<'_> {
     /// above [`MAX_PAIRS`]; [`Error::OutOfMemory`]; [`Error::Cancelled`].
     pub fn candidates(&self, other: &Surface<'_>, within: f64, job: &Job<'_>) -> Result<Vec<CellPair>> {
         let sheet_pairs = (0..self.len()).flat_map(|k| (0..other.len()).map(move |n| [k, n]));
-        self.candidates_among(sheet_pairs, other, (within, &|_| true), job)
+        self.candidate_pairs_among(sheet_pairs, other, (within, &|_| true), job)
     }
 
     /// Returns the pairs of cells of the surface with itself, each once. Omits pairs that are
@@ -273,7 +273,7 @@ impl Surface<'_> {
     ///
     /// # Errors
     /// The errors of [`Surface::candidates`].
-    pub(super) fn candidates_of_itself(
+    pub(super) fn candidate_pairs_of_itself(
         &self,
         within: f64,
         proved: &dyn Fn(&CellPair) -> bool,
@@ -284,10 +284,10 @@ impl Surface<'_> {
             let ([a, b], [p, q]) = (pair.sheets, pair.cells);
             (a, p) <= (b, q) && !proved(pair)
         };
-        self.candidates_among(once, self, (within, &wanted), job)
+        self.candidate_pairs_among(once, self, (within, &wanted), job)
     }
 
-    fn candidates_among(
+    fn candidate_pairs_among(
         &self,
         sheets: impl Iterator<Item = [usize; 2]>,
         other: &Surface<'_>,
@@ -326,7 +326,10 @@ fn add_pairs_of_sheets(
     let before = found.len();
     let blocks = [BlockCells::NO_BLOCK; 2];
     let mut descent = PyramidPairDescent { a, b, origin, shift, by, wanted, blocks, unheard: 0, found, job };
-    descent.visit_block_pair(&BlockNode::whole_sheet(a.index, DVec3::ZERO), &BlockNode::whole_sheet(b.index, shift))?;
+    descent.visit_block_pair(
+        &PyramidBlock::whole_sheet(a.index, DVec3::ZERO),
+        &PyramidBlock::whole_sheet(b.index, shift),
+    )?;
     let key = |pair: &CellPair| {
         let [[i, j], [k, l]] = pair.cells.map(|cell| cell.map(u128::from));
         i << 96 | j << 64 | k << 32 | l
@@ -354,7 +357,7 @@ struct PyramidPairDescent<'a> {
 
 impl PyramidPairDescent<'_> {
     /// Counts examined pairs, and reports progress.
-    fn count_pairs(&mut self, pairs: usize) -> Result<()> {
+    fn count_examined_pairs(&mut self, pairs: usize) -> Result<()> {
         self.unheard += pairs;
         if self.unheard >= PAIRS_PER_REPORT {
             self.unheard = 0;
@@ -364,8 +367,8 @@ impl PyramidPairDescent<'_> {
     }
 
     /// Adds the pairs of cells of two blocks of any level.
-    fn visit_block_pair(&mut self, one: &BlockNode, other: &BlockNode) -> Result<()> {
-        self.count_pairs(1)?;
+    fn visit_block_pair(&mut self, one: &PyramidBlock, other: &PyramidBlock) -> Result<()> {
+        self.count_examined_pairs(1)?;
         if one.level == 0 && other.level == 0 {
             return self.add_cell_pairs(one, other);
         }
@@ -384,7 +387,7 @@ impl PyramidPairDescent<'_> {
     }
 
     /// Adds the pairs of cells of two blocks of level 0.
-    fn add_cell_pairs(&mut self, one: &BlockNode, other: &BlockNode) -> Result<()> {
+    fn add_cell_pairs(&mut self, one: &PyramidBlock, other: &PyramidBlock) -> Result<()> {
         let PyramidPairDescent { a, b, wanted, ref mut blocks, ref mut found, .. } = *self;
         let [left, right] = blocks;
         left.read_block(a, one, self.origin);
@@ -400,7 +403,7 @@ impl PyramidPairDescent<'_> {
         }
         Error::check_count("pairs of cells", found.len() as u64, MAX_PAIRS)?;
         let looked_at = left.quads.len() * right.quads.len();
-        self.count_pairs(looked_at)
+        self.count_examined_pairs(looked_at)
     }
 }
 

@@ -17,7 +17,7 @@ use gusset_base::error::Result;
 use gusset_base::job::Job;
 
 /// The number of points of a section that are compared.
-const SAMPLES: usize = 128;
+const SAMPLES_PER_SECTION: usize = 128;
 /// Distances and sums whose relative difference is below this are equal, so that round-off does not
 /// decide.
 const RELATIVE_TIE_TOLERANCE: f64 = 1e-9;
@@ -50,9 +50,9 @@ impl AnchoredSection<'_> {
     /// Returns points at equal fractions of the length, relative to their mean and scaled to size
     /// 1.
     fn normalised_samples(&self) -> Result<Vec<DVec3>> {
-        let at = |k: usize| self.lengths.curve().point(self.place_at_fraction(k as f64 / SAMPLES as f64)?);
-        let mut points = alloc::try_collect((0..SAMPLES).map(at))?;
-        let mean = points.iter().map(|&p| p / SAMPLES as f64).sum::<DVec3>();
+        let at = |k: usize| self.lengths.curve().point(self.place_at_fraction(k as f64 / SAMPLES_PER_SECTION as f64)?);
+        let mut points = alloc::try_collect((0..SAMPLES_PER_SECTION).map(at))?;
+        let mean = points.iter().map(|&p| p / SAMPLES_PER_SECTION as f64).sum::<DVec3>();
         points.iter_mut().for_each(|p| *p -= mean);
         let size = points.iter().map(|p| p.abs().max_element()).fold(f64::MIN_POSITIVE, f64::max);
         points.iter_mut().for_each(|p| *p /= size);
@@ -79,7 +79,7 @@ const SECTIONS_PER_REPORT: usize = 1 << 8;
 
 /// Returns the fraction of its length after its anchor at which each section starts. If `ring`, the
 /// first section follows the last. O(sections), with a comparison of 128 points with 128 for each.
-pub(super) fn start_fractions(sections: &[AnchoredSection<'_>], ring: bool, job: &Job<'_>) -> Result<Vec<f64>> {
+pub(super) fn section_start_fractions(sections: &[AnchoredSection<'_>], ring: bool, job: &Job<'_>) -> Result<Vec<f64>> {
     let samples = alloc::try_collect(sections.iter().map(AnchoredSection::normalised_samples))?;
     let mut starts = alloc::with_capacity(sections.len())?;
     let mut start = 0.0;
@@ -100,10 +100,10 @@ pub(super) fn start_fractions(sections: &[AnchoredSection<'_>], ring: bool, job:
 
 /// Returns the shift of a section against the previous one, as a fraction of its length.
 fn best_cyclic_shift(before: &[DVec3], section: &[DVec3]) -> f64 {
-    let n = SAMPLES;
+    let n = SAMPLES_PER_SECTION;
     // Both sums of squares are constant, so the largest product has the smallest distance.
     let product = |d: usize| (0..n).map(|k| before[k].dot(section[(k + d) % n])).sum::<f64>();
-    let products: [f64; SAMPLES] = std::array::from_fn(product);
+    let products: [f64; SAMPLES_PER_SECTION] = std::array::from_fn(product);
     let most = products.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let best = products.iter().position(|&product| product >= most - RELATIVE_TIE_TOLERANCE * most.abs()).unwrap_or(0);
     // Interpolate between samples by the parabola through three.

@@ -1,19 +1,19 @@
 //! Self-intersections of a surface.
 //!
 //! Pairs of cells are solved as for two surfaces, each pair once. Cells with common points by
-//! declaration are halved until it is proven that they have no others (`near`). Arcs are joined
-//! without regard to which of the two pieces is the first (`trails`).
+//! declaration are halved until it is proven that they have no others (`adjacent_cells`). Arcs are
+//! joined without regard to which of the two pieces is the first (`trails`).
 
-use super::bridge::ChainBridges;
-use super::chart::ParameterBox;
+use super::adjacent_cells::AdjacentCellPair;
+use super::arc_links::ArcChain;
+use super::cell_joints::SheetJoints;
+use super::cell_pairs::CellPair;
+use super::chain_bridges::ChainBridges;
 use super::coordinate_net::CoordinateNet;
-use super::joints::SheetJoints;
-use super::links::ArcChain;
-use super::near::AdjacentCellPair;
-use super::pairs::CellPair;
-use super::places::PairPlaces;
-use super::solve::FoundArcs;
-use super::trails::{Trail, TrailBuilder, TrailStep};
+use super::pair_places::PairPlaces;
+use super::pair_search::FoundArcs;
+use super::solution_chart::ParameterBox;
+use super::trails::{ArcTrail, TrailBuilder, TrailStep};
 use super::{Options, SurfaceIntersection, net_rounding_error, positive_or_default};
 use crate::cells::SheetCells;
 use crate::{Paths, Place, Surface, each_sheet};
@@ -110,7 +110,7 @@ impl Surface<'_> {
             let [a, b] = pair.sheets;
             a == b && joints[a as usize].are_cells_proved_injective(pair.cells)
         };
-        let pairs = self.candidates_of_itself(tolerance, &proved, job)?;
+        let pairs = self.candidate_pairs_of_itself(tolerance, &proved, job)?;
         Ok((joints, pairs))
     }
 }
@@ -181,14 +181,14 @@ impl SurfaceIntersection<'_> {
         let cells = self.places.pairs[k as usize].cells;
         let [(a, size), (b, other)] =
             cells.map(|[i, j]| CoordinateNet::new(&sheet.cell_patch(i as usize, j as usize), self.places.origin));
-        let mut whole = ParameterBox::<N, N>::WHOLE;
+        let mut whole = ParameterBox::<N, N>::WHOLE_PATCHES;
         (whole.nets.a, whole.nets.b) = (a, b);
         let task = self.pair_task(k, net_rounding_error(size.max(other)), max_boxes, last);
         AdjacentCellPair { task: &task, cells, joints }.solve_pair(&whole, found, job)
     }
 
     /// Joins the arcs to trails.
-    fn build_trails(&self, pieces: &FoundArcs, job: &Job<'_>) -> Result<Vec<Trail>> {
+    fn build_trails(&self, pieces: &FoundArcs, job: &Job<'_>) -> Result<Vec<ArcTrail>> {
         let count = 2 * pieces.arcs.len();
         let normals = alloc::try_collect::<_, Error>((0..count).map(|k| {
             job.part(0.0, 0.5).step_every(ARCS_PER_REPORT, k, count, "paths")?;
@@ -214,7 +214,7 @@ impl SurfaceIntersection<'_> {
     }
 
     /// Whether all ends of a trail lie in unresolved balls of their pairs of cells.
-    fn is_scrap_trail(&self, pieces: &FoundArcs, trail: &Trail) -> bool {
+    fn is_scrap_trail(&self, pieces: &FoundArcs, trail: &ArcTrail) -> bool {
         trail.steps.iter().all(|step| {
             let arc = pieces.arcs[step.arc as usize];
             let first = pieces.balls.partition_point(|ball| ball.pair < arc.pair);
@@ -224,7 +224,7 @@ impl SurfaceIntersection<'_> {
     }
 
     /// Converts trails to paths, and lists the unresolved cells.
-    fn build_trail_paths(&self, pieces: &FoundArcs, trails: &[Trail], job: &Job<'_>) -> Result<Paths> {
+    fn build_trail_paths(&self, pieces: &FoundArcs, trails: &[ArcTrail], job: &Job<'_>) -> Result<Paths> {
         let mut paths = Paths { ends: alloc::filled(0, 1)?, ..Paths::default() };
         for (k, trail) in trails.iter().enumerate() {
             job.step_every(1 << 10, k, trails.len(), "paths")?;
@@ -241,7 +241,7 @@ impl SurfaceIntersection<'_> {
 
     /// Adds the points of a trail. A long trail omits joints within a pair of cells, where boxes
     /// were halved, if they are closer together than the chord tolerance.
-    fn add_trail_path(&self, pieces: &FoundArcs, trail: &Trail, paths: &mut Paths) -> Result<()> {
+    fn add_trail_path(&self, pieces: &FoundArcs, trail: &ArcTrail, paths: &mut Paths) -> Result<()> {
         let arc = |step: &TrailStep| &pieces.arcs[step.arc as usize];
         let is_long =
             trail.steps.len() > 8 && trail.steps.iter().any(|step| arc(step).pair != arc(&trail.steps[0]).pair);

@@ -8,8 +8,8 @@
 //! Invariant: a joint maps the parameters of one cell continuously to the parameters of the other.
 //! Cost: O(cells of the borders) for a sheet, O(1) for a pair of cells.
 
-use super::chart::ParameterBox;
 use super::poles;
+use super::solution_chart::ParameterBox;
 use crate::cells::SheetCells;
 use glam::DVec3;
 use gusset_base::error::Result;

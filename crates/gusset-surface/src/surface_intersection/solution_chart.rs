@@ -19,7 +19,7 @@
 //! for a split.
 
 use super::coordinate_net::CoordinateNet;
-use super::equation::{DifferenceFrame, IntersectionEquation, OTHER_PARAMETERS};
+use super::intersection_equation::{DifferenceFrame, IntersectionEquation, OTHER_PARAMETERS};
 use crate::Patch;
 use crate::subdivision::BernsteinField;
 use glam::{DVec3, DVec4};
@@ -78,7 +78,7 @@ fn index_of_largest_component(tangent: DVec4) -> usize {
 
 impl<const N: usize, const M: usize> ParameterBox<N, M> {
     /// The whole of two patches, whose nets are not yet set.
-    pub(super) const WHOLE: Self = ParameterBox {
+    pub(super) const WHOLE_PATCHES: Self = ParameterBox {
         nets: IntersectionEquation { a: CoordinateNet::ZERO, b: CoordinateNet::ZERO },
         low: DVec4::ZERO,
         size: DVec4::ONE,

@@ -31,7 +31,7 @@ pub enum Sum {
 }
 
 /// Factor that covers the rounding of bounds and of their sums.
-pub(super) const ROUNDING_FACTOR: f64 = 1.0 + 1e-14;
+pub(super) const BOUND_ROUNDING_FACTOR: f64 = 1.0 + 1e-14;
 
 impl Sizes {
     /// Creates sizes from one bound for each cell, row by row. Bounds are neither NaN nor negative.
@@ -68,7 +68,7 @@ impl Sizes {
         let most = rows.max(columns);
         match sum {
             Sum::Greatest => {
-                let reach = |steps: usize| steps as f64 * self.greatest * ROUNDING_FACTOR;
+                let reach = |steps: usize| steps as f64 * self.greatest * BOUND_ROUNDING_FACTOR;
                 if self.greatest == 0.0 {
                     return if limit > 0.0 { (most, 0.0) } else { (0, 0.0) };
                 }
@@ -83,7 +83,7 @@ impl Sizes {
             Sum::Rings => {
                 let (mut steps, mut reach) = (0, 0.0);
                 while steps < most {
-                    let next = reach + self.max_bound_in_ring(node, steps + 1) * ROUNDING_FACTOR;
+                    let next = reach + self.max_bound_in_ring(node, steps + 1) * BOUND_ROUNDING_FACTOR;
                     if next >= limit {
                         break;
                     }
@@ -96,7 +96,7 @@ impl Sizes {
 
     /// R_J: a bound of the distance from a node within the block of 2 J x 2 J cells around it.
     pub fn ring_sum(&self, node: [usize; 2], steps: usize) -> f64 {
-        (1..=steps).map(|k| self.max_bound_in_ring(node, k)).sum::<f64>() * ROUNDING_FACTOR
+        (1..=steps).map(|k| self.max_bound_in_ring(node, k)).sum::<f64>() * BOUND_ROUNDING_FACTOR
     }
 
     /// The largest bound in the k-th ring of cells around a node: the cells that chains of k cells
@@ -123,6 +123,6 @@ impl Sizes {
             return Err(Error::SidesDiffer { a: a as u32, b: b as u32 });
         }
         let greatest = region.cells().map(|cell| self.get(cell)).fold(0.0, f64::max);
-        Ok(integer_diameter as f64 * greatest * ROUNDING_FACTOR)
+        Ok(integer_diameter as f64 * greatest * BOUND_ROUNDING_FACTOR)
     }
 }

@@ -1,7 +1,7 @@
 //! Places on both surfaces for parameters of a pair of cells.
 
-use super::equation::DifferenceFrame;
-use super::pairs::CellPair;
+use super::cell_pairs::CellPair;
+use super::intersection_equation::DifferenceFrame;
 use crate::{Place, Surface};
 use glam::DVec3;
 use glam::DVec4;
@@ -16,7 +16,7 @@ const MAX_CLAMPED_PARAMETER_ROUNDING: f64 = 1e-13;
 /// A point of the intersection: parameters of a pair of cells, position, and the direction of the
 /// curve.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct CurvePoint {
+pub(super) struct IntersectionCurvePoint {
     pub(super) x: DVec4,
     pub(super) point: DVec3,
     pub(super) direction: DVec3,
@@ -71,7 +71,13 @@ impl PairPlaces<'_> {
 
     /// The point of a pair's curve that is nearest to the point `to`, starting from nearby
     /// parameters. Its error is far below the tolerance.
-    pub(super) fn nearest_curve_point(&self, pair: u32, start: DVec4, to: DVec3, tolerance: f64) -> Option<CurvePoint> {
+    pub(super) fn nearest_curve_point(
+        &self,
+        pair: u32,
+        start: DVec4,
+        to: DVec3,
+        tolerance: f64,
+    ) -> Option<IntersectionCurvePoint> {
         let (mut x, mut last) = (start, f64::INFINITY);
         for _ in 0..MAX_NEWTON_STEPS {
             let (point, frame) = self.origin_and_frame_at(pair, x);
@@ -87,7 +93,11 @@ impl PairPlaces<'_> {
             let length = moved.length().max(other.length());
             if length <= LAST_STEP_IN_TOLERANCES * tolerance || (length <= 0.25 * tolerance && length > 0.25 * last) {
                 let (point, frame) = self.origin_and_frame_at(pair, x);
-                return Some(CurvePoint { x, point, direction: frame.curve_direction().normalize_or_zero() });
+                return Some(IntersectionCurvePoint {
+                    x,
+                    point,
+                    direction: frame.curve_direction().normalize_or_zero(),
+                });
             }
             last = length;
         }

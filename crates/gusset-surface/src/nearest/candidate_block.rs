@@ -3,10 +3,10 @@
 //!
 //! Corners are points of the surface. The surface also has a point close to the nearest point of
 //! each bilinear patch. Both lower the upper bound before any patch is computed. The bounds of
-//! `corners` then exclude most cells. The others become candidates with a lower bound and a start
-//! for the descent. O(1).
+//! `block_corners` then exclude most cells. The others become candidates with a lower bound and a
+//! start for the descent. O(1).
 
-use super::corners::{BlockCorners, CentredDisplacementBox, min_ignoring_nan};
+use super::block_corners::{BlockCorners, CentredDisplacementBox, min_ignoring_nan};
 use super::incumbent::DistanceUpperBound;
 use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
 use crate::index::BoxPyramid;

@@ -1,10 +1,11 @@
 //! The zero set of a field over one cell, as arcs between marks. Marks are the places where the
 //! zero set crosses sides. [`subdivide`] splits the cell into quarters.
 //!
-//! Signs follow `side`: 0 counts as positive. The sign changes an even number of times around the
-//! border of a cell or part. It changes alternately from plus to minus, where an arc enters (with
-//! plus on its left), and from minus to plus, where an arc leaves. A part is settled in one of
-//! these cases. Otherwise it is split into four parts, whose common sides get their own marks:
+//! Signs follow `side_sign_changes`: 0 counts as positive. The sign changes an even number of times
+//! around the border of a cell or part. It changes alternately from plus to minus, where an arc
+//! enters (with plus on its left), and from minus to plus, where an arc leaves. A part is settled
+//! in one of these cases. Otherwise it is split into four parts, whose common sides get their own
+//! marks:
 //! - *none*: the border has no marks, and all coefficients have one sign;
 //! - *graph*: the field is monotone in u, or in v. The zero set is a graph over the other
 //!   parameter, so closed loops are impossible. Arcs are in order along it, and the k-th entry
@@ -16,7 +17,7 @@
 //! arcs of neighbouring parts join exactly. Monotonicity as a termination criterion: Alberti,
 //! Mourrain and Wintz (2008). Cost: O(M^3) for a split, at most [`MAX_PARTS_PER_CELL`] parts.
 
-use super::side::{counts_as_positive, find_sign_changes};
+use super::side_sign_changes::{counts_as_positive, find_sign_changes};
 use crate::subdivision::BernsteinField;
 use glam::DVec2;
 use gusset_base::geom::subdivision::{BoxTest, Subdivision, SubdivisionLimits, subdivide};

@@ -15,8 +15,8 @@
 //! together with their neighbours. One point in trouble thus does not slow down the others. O(n)
 //! for each step, in time and memory: about 1,100 bytes a point.
 
-use super::system::{
-    EQUATIONS_PER_POINT, EquationDerivatives, GivenQuantities, LockEquation, POINTS_PER_EQUATION, PointUnknowns,
+use super::curvature_system::{
+    EQUATIONS_PER_POINT, EquationDerivatives, GivenPointQuantities, LockEquation, POINTS_PER_EQUATION, PointUnknowns,
     UNKNOWNS_PER_POINT, differentiate_equations, evaluate_equations,
 };
 use crate::identify::subcurve::Subcurve;
@@ -65,7 +65,7 @@ const DAMPED_NEIGHBOURS_PER_SIDE: usize = 3;
 /// Points between two progress reports.
 pub(super) const POINTS_PER_REPORT: usize = 1 << 12;
 
-pub(super) const STAGE: &str = "making curvatures continuous";
+pub(super) const PROGRESS_STAGE: &str = "making curvatures continuous";
 
 /// The workspace of the method.
 #[derive(Default)]
@@ -92,7 +92,7 @@ impl LeastNormNewton {
     pub(super) fn take_damped_step(
         &mut self,
         sub: &Subcurve<'_>,
-        known: &[GivenQuantities],
+        known: &[GivenPointQuantities],
         nodes: &mut [PointUnknowns],
         job: &Job<'_>,
     ) -> Result<f64> {
@@ -100,7 +100,7 @@ impl LeastNormNewton {
         let n = nodes.len();
         self.previous.copy_from_slice(nodes);
         for (i, square) in self.squares.iter_mut().enumerate() {
-            job.step_every(POINTS_PER_REPORT, i, n, STAGE)?;
+            job.step_every(POINTS_PER_REPORT, i, n, PROGRESS_STAGE)?;
             *square = sum_of_squares(&evaluate_equations(sub, known, nodes, i));
         }
         self.parts.fill(1.0);
@@ -108,7 +108,7 @@ impl LeastNormNewton {
         for _ in 0..MAX_STEP_HALVINGS {
             let mut trouble = false;
             for i in 0..n {
-                job.step_every(POINTS_PER_REPORT, i, n, STAGE)?;
+                job.step_every(POINTS_PER_REPORT, i, n, PROGRESS_STAGE)?;
                 let square = sum_of_squares(&evaluate_equations(sub, known, nodes, i));
                 let grows = square > MAX_RESIDUAL_GROWTH * self.squares[i] && square > SMALL_SQUARED_RESIDUAL;
                 if grows || square.is_nan() {
@@ -158,7 +158,7 @@ impl LeastNormNewton {
     fn solve_least_norm_step(
         &mut self,
         sub: &Subcurve<'_>,
-        known: &[GivenQuantities],
+        known: &[GivenPointQuantities],
         nodes: &[PointUnknowns],
         job: &Job<'_>,
     ) -> Result<()> {
@@ -187,7 +187,7 @@ impl LeastNormNewton {
         // The equations of this point and of the three before it.
         let mut window = [EquationDerivatives::default(); POINTS_PER_EQUATION];
         for k in 0..count {
-            job.step_every(POINTS_PER_REPORT, k, 2 * count, STAGE)?;
+            job.step_every(POINTS_PER_REPORT, k, 2 * count, PROGRESS_STAGE)?;
             window.rotate_right(1);
             window[0] = rows(k);
             let values = evaluate_equations(sub, known, nodes, at(k));
@@ -209,7 +209,7 @@ impl LeastNormNewton {
         let multipliers = self.banded.solve();
         self.steps.fill([0.0; UNKNOWNS_PER_POINT]);
         for k in overlap.saturating_sub(POINTS_PER_EQUATION)..count.min(overlap + n + POINTS_PER_EQUATION) {
-            job.step_every(POINTS_PER_REPORT, k, count, STAGE)?;
+            job.step_every(POINTS_PER_REPORT, k, count, PROGRESS_STAGE)?;
             let (rows, own) = (rows(k), &multipliers[EQUATIONS_PER_POINT * k..EQUATIONS_PER_POINT * (k + 1)]);
             for point in 0..POINTS_PER_EQUATION {
                 let place = k + point;
@@ -231,7 +231,7 @@ impl LeastNormNewton {
 }
 
 /// Returns the units of the unknowns of a point; 0 for fixed ones.
-fn unknown_step_units(known: &GivenQuantities, node: &PointUnknowns) -> [f64; UNKNOWNS_PER_POINT] {
+fn unknown_step_units(known: &GivenPointQuantities, node: &PointUnknowns) -> [f64; UNKNOWNS_PER_POINT] {
     let control = if known.fixed { 0.0 } else { CONTROL_POINT_STEP_UNIT * known.spacing };
     let t = if known.lock_equation == LockEquation::GivenParameter { 0.0 } else { 1.0 };
     let [beta, lambda, mu] = known.free;

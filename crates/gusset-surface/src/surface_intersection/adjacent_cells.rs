@@ -17,10 +17,10 @@
 //! Cost: O(N^2) for a test, O(N^3) for a split; a few parts for each halving around a singular
 //! point.
 
-use super::chart::ParameterBox;
+use super::cell_joints::{CellJoint, CellPartRelation, SheetJoints};
 use super::coordinate_net::CoordinateNet;
-use super::joints::{CellJoint, CellPartRelation, SheetJoints};
-use super::solve::{CellPairSearch, FoundArcs, PairTask, SearchStop};
+use super::pair_search::{CellPairSearch, CellPairTask, FoundArcs, SearchStop};
+use super::solution_chart::ParameterBox;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -34,7 +34,7 @@ const PARTS_PER_REPORT: usize = 1 << 8;
 
 /// Two cells of one sheet that have points in common.
 pub(super) struct AdjacentCellPair<'a> {
-    pub(super) task: &'a PairTask,
+    pub(super) task: &'a CellPairTask,
     pub(super) cells: [[u32; 2]; 2],
     pub(super) joints: &'a SheetJoints,
 }

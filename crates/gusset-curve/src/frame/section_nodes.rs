@@ -8,12 +8,12 @@
 
 use crate::curve::{CurveView, Place};
 
-use super::align::{AnchoredSection, farthest_from_mean, start_fractions};
 use super::axis::axis_frames;
-use super::corners::{
+use super::frame_options::{Correspondence, FrameOptions};
+use super::section_alignment::{AnchoredSection, farthest_from_mean, section_start_fractions};
+use super::section_corners::{
     add_corner_constraints, apportion_parts, find_corners_of_sections, match_corners, nodes_with_sharp_turn,
 };
-use super::frame_options::{Correspondence, FrameOptions};
 use crate::identify::{Fit, Options, Outlines, fit};
 use crate::ops::Lengths;
 use glam::DVec3;
@@ -60,7 +60,7 @@ pub(super) fn compute_section_nodes(
     match options.correspondence {
         Correspondence::Given => add_given_points(sections, &corners, &mut found)?,
         Correspondence::ArcLength { columns } => {
-            found.reserve(columns)?;
+            found.reserve_columns(columns)?;
             if sections.closed {
                 add_nodes_of_closed_sections(sections, &curves, &corners, options, &mut found, &job)?;
             } else {
@@ -69,7 +69,7 @@ pub(super) fn compute_section_nodes(
         }
         Correspondence::Angle { columns, axis, reference } => {
             let frames = axis_frames(axis, reference, rows, options.ring)?;
-            found.reserve(columns)?;
+            found.reserve_columns(columns)?;
             for (k, &(point, [along, first, second])) in frames.iter().enumerate() {
                 let (curve, of_section) = (outline_curve(&curves, k)?, job.share(k, rows));
                 for i in 0..columns {
@@ -111,7 +111,7 @@ fn outline_curve(curves: &Fit, k: usize) -> Result<CurveView<'_>> {
 
 impl SectionNodes {
     /// Reserves room for `columns` nodes in each row.
-    fn reserve(&mut self, columns: usize) -> Result<()> {
+    fn reserve_columns(&mut self, columns: usize) -> Result<()> {
         let count = (self.rows as u64).saturating_mul(columns as u64);
         Error::check_count("nodes", count, u32::MAX.into())?;
         self.columns = columns;
@@ -182,7 +182,7 @@ fn add_nodes_of_closed_sections(
         let starts = if options.given_starts {
             alloc::filled(0.0, rows)?
         } else {
-            start_fractions(&rings, options.ring, &job.part(0.5, 0.5))?
+            section_start_fractions(&rings, options.ring, &job.part(0.5, 0.5))?
         };
         for (k, (ring, start)) in rings.iter().zip(starts).enumerate() {
             job.step(0.5 + 0.5 * k as f64 / rows as f64, "finding nodes")?;
@@ -342,7 +342,7 @@ fn add_nodes_between_landmarks(
 
 fn add_given_points(sections: &Outlines<'_>, corners: &[Vec<u32>], found: &mut SectionNodes) -> Result<()> {
     let columns = sections.points_per_outline(found.rows)?;
-    found.reserve(columns)?;
+    found.reserve_columns(columns)?;
     for (k, corners) in corners.iter().enumerate() {
         found.nodes.extend(sections.point_range(k).map(|i| sections.points.get(i)));
         alloc::extend(&mut found.corners, corners.iter().map(|&corner| (k * columns) as u32 + corner))?;
@@ -401,7 +401,7 @@ fn add_landmark_nodes(
     Error::require(parts > 0, "parts", parts as f64)?;
     let each = points.len() / found.rows;
     let columns = if sections.closed { each.checked_mul(parts) } else { (each - 1).checked_mul(parts).map(|n| n + 1) };
-    found.reserve(columns.unwrap_or(usize::MAX))?;
+    found.reserve_columns(columns.unwrap_or(usize::MAX))?;
     for k in 0..found.rows {
         let (curve, of_section) = (outline_curve(curves, k)?, job.share(k, found.rows));
         let span = sections.point_range(k);

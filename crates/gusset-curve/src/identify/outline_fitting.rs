@@ -8,12 +8,12 @@ use super::composite::{self, CompositeWorkspace};
 use super::curve_builder::CurveBuilder;
 use super::fit::Fit;
 use super::identify_options::{JointParameter, Mode, Options};
-use super::nodes::OutlineNodes;
+use super::outline_nodes::OutlineNodes;
 use super::outlines::{Constraint, Outlines};
 use super::report::{FitStatus, PointStatus, Report, ReportInProgress};
 use super::single::{self, Collocation};
 use super::subcurve::{PointResult, Subcurve, SubcurveOutput};
-use super::{blend, cubic_spline, residuals};
+use super::{blended_curve, cubic_spline, residuals};
 use crate::curve::Place;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -56,7 +56,7 @@ pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<
     if threads == 1 {
         for (k, batch) in batches.iter().enumerate() {
             let part = job.share(k, batches.len());
-            part.step(0.0, STAGE)?;
+            part.step(0.0, PROGRESS_STAGE)?;
             whole.identify_batch(batch.clone(), &part)?;
         }
     } else {
@@ -71,17 +71,17 @@ pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<
         for (k, round) in batches.chunks(BATCHES_PER_REPORT).enumerate() {
             let part = |batch: usize| batch.min(batches.len()) as f64 / batches.len() as f64;
             let part = job.part(part(k * BATCHES_PER_REPORT), part((k + 1) * BATCHES_PER_REPORT));
-            for mut worker in par::map_jobs(&part, STAGE, round.iter().cloned(), work)? {
+            for mut worker in par::map_jobs(&part, PROGRESS_STAGE, round.iter().cloned(), work)? {
                 whole.done.append_fit(&mut worker.done)?;
                 lock(&idle).push(worker);
             }
         }
     }
-    job.step(1.0, STAGE)?;
+    job.step(1.0, PROGRESS_STAGE)?;
     Ok(whole.done)
 }
 
-const STAGE: &str = "identifying outlines";
+const PROGRESS_STAGE: &str = "identifying outlines";
 /// Outlines of at least this many points report progress between the passes over them.
 const POINTS_PER_REPORT: usize = 1 << 17;
 
@@ -163,7 +163,7 @@ impl<'a> OutlineWorker<'a> {
         let (own, rest) = self.constraints.split_at(own);
         self.constraints = rest;
         // Long outlines report progress between the passes over their points.
-        let long = |fraction| if span.len() < POINTS_PER_REPORT { Ok(()) } else { job.step(fraction, STAGE) };
+        let long = |fraction| if span.len() < POINTS_PER_REPORT { Ok(()) } else { job.step(fraction, PROGRESS_STAGE) };
         self.nodes.read_and_cut(self.outlines, &span, own, self.options)?;
         long(0.0)?;
         let (base, first_status) = (self.done.points.len(), self.done.statuses.len());
@@ -252,7 +252,7 @@ impl<'a> OutlineWorker<'a> {
         let mut out = SubcurveOutput { results, report, builder: &mut self.builder, job };
         composite::solve_composite_curve(&sub, &mut self.composite, &mut out)?;
         if span.len() >= POINTS_PER_REPORT {
-            job.step(1.0, STAGE)?;
+            job.step(1.0, PROGRESS_STAGE)?;
         }
         let (n, solution, done) = (sub.len(), &*self.composite.solution(), &mut self.done);
         alloc::grow(&mut done.points, base + 2 * n + 1, DVec3::ZERO)?;
@@ -369,7 +369,7 @@ fn append_subcurve_curve(
     // Iterations are counted for each part; the report has the maximum.
     let before = std::mem::take(&mut out.report.iterations);
     match sub.options.mode {
-        Mode::BlendC1 | Mode::BlendC2 => blend::append_blended_curve(sub, composite.solution(), out),
+        Mode::BlendC1 | Mode::BlendC2 => blended_curve::append_blended_curve(sub, composite.solution(), out),
         Mode::CubicC2 => cubic_spline::append_cubic_spline(sub, composite.solution(), out),
         Mode::Single => single::append_single_curve(sub, single, composite, out),
         Mode::Composite | Mode::Chain => composite::append_composite_curve(sub, composite, out),

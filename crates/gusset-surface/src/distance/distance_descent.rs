@@ -1,9 +1,9 @@
 //! The distance between points of two nets: descent to a local minimum, and proofs of lower bounds.
 //!
 //! The function is f = |A(u, v) - B(s, t)|^2 / 2 over all parameters of the nets, from 0 to 1. The
-//! descent takes projected Newton steps as in `nearest::foot`. If the Hessian of f is positive
-//! definite everywhere, f is convex, and nowhere below its tangent plane at any place. Descent then
-//! leads to the nearest points. Products of balls bound the Hessian. O(1).
+//! descent takes projected Newton steps as in `nearest::foot_point`. If the Hessian of f is
+//! positive definite everywhere, f is convex, and nowhere below its tangent plane at any place.
+//! Descent then leads to the nearest points. Products of balls bound the Hessian. O(1).
 
 use super::control_net::{ControlNet, DerivativeBalls, VectorBall};
 use crate::Jet;
@@ -14,7 +14,7 @@ pub(super) type PairParameters = [f64; 4];
 type MatrixOfParameters = [[f64; 4]; 4];
 
 /// A step shorter than this, in parameters, is the last one.
-const LAST_STEP_LENGTH: f64 = 1e-13;
+const LAST_STEP_PARAMETER_LENGTH: f64 = 1e-13;
 /// The smallest fraction of a step that is tried.
 const MIN_STEP_FRACTION: f64 = 1e-4;
 /// Smallest pivot of a matrix with unit diagonal that counts as positive.
@@ -44,7 +44,7 @@ impl NetPair<'_> {
         [a[0], a[1], b[0], b[1]]
     }
 
-    pub(super) fn evaluate(&self, at: PairParameters) -> DistanceJet {
+    pub(super) fn distance_jet_at(&self, at: PairParameters) -> DistanceJet {
         let [u, v, s, t] = at;
         let (a, b) = (self.a.jet_at([u, v]), self.b.jet_at([s, t]));
         let difference = a.point - b.point;
@@ -63,7 +63,7 @@ impl NetPair<'_> {
             let mut length = 1.0;
             let next = loop {
                 let at = std::array::from_fn(|k| (best.at[k] - length * step[k]).clamp(0.0, 1.0));
-                let next = self.evaluate(at);
+                let next = self.distance_jet_at(at);
                 let levels_off = next.distance <= best.distance * (1.0 + 4.0 * f64::EPSILON);
                 if next.distance < best.distance || (levels_off && next.squared_projected_gradient(exist) < slope) {
                     break Some(next);
@@ -76,7 +76,7 @@ impl NetPair<'_> {
             let Some(next) = next else { break };
             let moved = (0..4).map(|k| (next.at[k] - best.at[k]).abs()).fold(0.0, f64::max);
             best = next;
-            if moved <= LAST_STEP_LENGTH {
+            if moved <= LAST_STEP_PARAMETER_LENGTH {
                 break;
             }
         }
