@@ -9,9 +9,11 @@
 //!
 //! One folder holds one format. `document`, `mesh` and `material` are the model that all formats share; `text` reads and writes numbers
 //! and words; `polygons` splits polygons into triangles, by `ear_clipping` and `least_overlap`; `precision` tells what single precision
-//! would move; `scene` joins meshes for formats that hold one; `vertex_merging` finds equal positions. `files` reads and writes paths, `folder` finds the files that a file refers to, and `pending_file` replaces a file whole.
+//! would move; `scene` joins meshes for formats that hold one; `vertex_merging` finds equal positions. `files` reads and
+//! writes paths, `folder` finds the files that a file refers to, and `pending_file` replaces a file whole.
 
 mod budget;
+mod colour_steps;
 mod document;
 mod ear_clipping;
 mod error;
@@ -24,6 +26,7 @@ mod material;
 mod merging;
 mod mesh;
 mod options;
+mod outline_pen;
 mod parallel_fill;
 mod pending_file;
 mod polygons;

@@ -52,6 +52,28 @@ pub(crate) fn list_lost_content(document: &Document, mesh: &Mesh, files: &str, h
     lost.into_iter().map(|name| Loss(format!("{name}, which {files} files do not hold"))).collect()
 }
 
+/// Returns whether the points are those of the curves, as readers of tables give them: a closed curve repeats its first point.
+pub(crate) fn are_points_of_curves(document: &Document) -> bool {
+    let repeated = document.curves.closed.iter().filter(|&&closed| closed).count();
+    document.curves.positions.len() + repeated == document.points.positions.len()
+}
+
+/// Lists what files that hold curves alone lose. Refuses a document without curves.
+pub(crate) fn list_lost_beside_curves(document: &Document, files: &str) -> Result<Vec<Loss>, WriteError> {
+    let has_meshes = document.meshes.iter().any(|mesh| !mesh.positions.is_empty());
+    let has_points = !document.points.positions.is_empty() && !are_points_of_curves(document);
+    if document.curves.closed.is_empty() && (has_meshes || has_points) {
+        let message = format!("{files} files are written from curves, and there are none");
+        return Err(WriteError::new(WriteErrorKind::Unsupported, message));
+    }
+    let lost = [(has_meshes, "meshes"), (has_points, "points")];
+    Ok(lost
+        .iter()
+        .filter(|(is, _)| *is)
+        .map(|(_, name)| Loss(format!("{name}, which {files} files do not hold")))
+        .collect())
+}
+
 /// Writes `1 face` or `2 faces`.
 pub(crate) fn counted(count: usize, one: &str, several: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { several })

@@ -1,6 +1,7 @@
 //! Numbers behind the positions of vertices, and colours of faces.
 
 use super::off_header::OffHeader;
+use crate::colour_steps::scale_colours;
 use crate::error::ReadError;
 use crate::mesh::{Mesh, Values};
 
@@ -89,15 +90,6 @@ impl VertexRows {
         colours.extend(self.rows().map(|row| std::array::from_fn::<_, 4, _>(|k| part(row, k))));
         scale_colours(&mut colours);
         Ok(colours)
-    }
-}
-
-/// Divides parts of colours by 255 if one exceeds 1. Missing parts, which are NaN, become 1.
-pub(super) fn scale_colours(colours: &mut [[f32; 4]]) {
-    let largest = colours.iter().flatten().fold(0.0, |most: f32, &part| most.max(part));
-    let full = if largest > 1.0 { 255.0 } else { 1.0 };
-    for part in colours.iter_mut().flatten() {
-        *part = if part.is_nan() { 1.0 } else { (*part / full).clamp(0.0, 1.0) };
     }
 }
 

@@ -1,5 +1,6 @@
 //! OFF files from meshes and points.
 
+use crate::colour_steps::{are_steps, has_transparency, nearest_step};
 use crate::document::Document;
 use crate::error::{Loss, WriteError};
 use crate::merging::merge_vertices;
@@ -8,9 +9,6 @@ use crate::options::WriteOptions;
 use crate::resources::Target;
 use crate::scene::{Attribute, list_lost_content, scene_mesh};
 use crate::text::TextWriter;
-
-/// Largest distance of a colour's part from a step of 256, in steps, that counts as rounding.
-const MAX_STEP_ERROR: f32 = 1e-3;
 
 pub(crate) fn write_off(
     document: &Document,
@@ -114,7 +112,7 @@ fn write_vector<const N: usize>(vector: [f64; N], out: &mut TextWriter<'_>) -> s
 }
 
 fn write_faces(mesh: &Mesh, out: &mut TextWriter<'_>) -> std::io::Result<()> {
-    let has_opacity = mesh.face_colours.iter().any(|colour| colour[3] != 1.0);
+    let has_opacity = has_transparency(&mesh.face_colours);
     let are_colours_steps = are_steps(&mesh.face_colours, has_opacity);
     for face in 0..mesh.face_count() {
         let vertices = mesh.face(face);
@@ -137,16 +135,4 @@ fn write_colour(colour: [f32; 4], has_opacity: bool, steps: bool, out: &mut Text
         if steps { out.integer(u64::from(nearest_step(*part)))? } else { out.single(*part)? }
     }
     Ok(())
-}
-
-/// Returns the step of 256 of a colour's part; 0 for NaN.
-fn nearest_step(part: f32) -> u8 {
-    (255.0 * part).round() as u8
-}
-
-/// Returns whether 256 steps hold the colours, and a reader sees that they are steps: one of them exceeds 1, or all are 0.
-fn are_steps(colours: &[[f32; 4]], has_opacity: bool) -> bool {
-    let parts = || colours.iter().flat_map(|colour| &colour[..if has_opacity { 4 } else { 3 }]);
-    let largest = parts().map(|&part| nearest_step(part)).max().unwrap_or(0);
-    largest != 1 && parts().all(|part| (255.0 * part - f32::from(nearest_step(*part))).abs() <= MAX_STEP_ERROR)
 }
