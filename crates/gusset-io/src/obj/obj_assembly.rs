@@ -1,7 +1,8 @@
 //! The content of a whole file, from chunks that threads read.
 
 use super::obj_chunk::{
-    ABSENT, Chunk, Element, Flaw, Lists, MAX_CHUNK_BYTES, MAX_ELEMENTS, Names, OMISSION_COUNT, Tally, decoded,
+    ABSENT, Chunk, Element, Flaw, Lists, MAX_CHUNK_BYTES, MAX_ELEMENTS, Names, OMISSION_COUNT, ObjectStart, Tally,
+    decoded, push_object,
 };
 use super::obj_cursor::{Cursor, Keyword, is_blank};
 use crate::error::{Place, ReadError, ReadErrorKind, quoted};
@@ -29,7 +30,7 @@ pub(super) struct Content<'a> {
     /// Number of faces before each `usemtl`, and its name.
     pub(super) materials: Vec<(u32, &'a [u8])>,
     pub(super) libraries: Vec<&'a [u8]>,
-    pub(super) objects: Names<'a>,
+    pub(super) objects: Vec<ObjectStart<'a>>,
     pub(super) groups: Names<'a>,
     pub(super) omissions: [Tally; OMISSION_COUNT],
     /// Corners that name normals and texture coordinates that do not exist, and the first such face.
@@ -216,7 +217,10 @@ impl<'a> Content<'a> {
         self.materials.try_reserve(chunk.materials.len())?;
         self.materials.extend(chunk.materials.iter().map(|&(face, name)| (face + face_start, name)));
         self.libraries.extend_from_slice(&chunk.libraries);
-        self.objects.append(chunk.objects);
+        for start in &chunk.objects {
+            let [vertex, face] = [start.vertex + before.vertices as u32, start.face + face_start];
+            push_object(&mut self.objects, ObjectStart { vertex, face, ..*start })?;
+        }
         self.groups.append(chunk.groups);
         for (tally, later) in self.omissions.iter_mut().zip(chunk.omissions) {
             tally.append(later, before.lines);

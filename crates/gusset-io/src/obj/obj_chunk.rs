@@ -96,6 +96,26 @@ pub(super) enum Omission {
 
 pub(super) const OMISSION_COUNT: usize = Omission::Weights as usize + 1;
 
+/// Start of an object: numbers of vertices and faces before its `o` statement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct ObjectStart<'a> {
+    pub(super) vertex: u32,
+    pub(super) face: u32,
+    pub(super) name: &'a [u8],
+}
+
+/// Appends the start of an object. An object without vertices and faces before it is forgotten.
+pub(super) fn push_object<'a>(
+    objects: &mut Vec<ObjectStart<'a>>,
+    start: ObjectStart<'a>,
+) -> Result<(), TryReserveError> {
+    match objects.last_mut() {
+        Some(last) if (last.vertex, last.face) == (start.vertex, start.face) => *last = start,
+        _ => push(objects, start)?,
+    }
+    Ok(())
+}
+
 /// One name, or the fact that there are several.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Names<'a> {
@@ -142,7 +162,7 @@ pub(super) struct Chunk<'a> {
     /// Number of faces before each `usemtl`, and its name.
     pub(super) materials: Vec<(u32, &'a [u8])>,
     pub(super) libraries: Vec<&'a [u8]>,
-    pub(super) objects: Names<'a>,
+    pub(super) objects: Vec<ObjectStart<'a>>,
     pub(super) groups: Names<'a>,
     pub(super) omissions: [Tally; OMISSION_COUNT],
     pub(super) unknown: Option<&'a [u8]>,
@@ -322,7 +342,10 @@ impl<'a> Chunk<'a> {
             }
             Keyword::UseMaterial => push(&mut self.materials, (self.face_ends.len() as u32, cursor.name()))?,
             Keyword::Library => push(&mut self.libraries, cursor.name())?,
-            Keyword::Object => self.objects.append(Names::One(cursor.name())),
+            Keyword::Object => {
+                let [vertex, face] = [self.positions.len() as u32, self.face_ends.len() as u32];
+                push_object(&mut self.objects, ObjectStart { vertex, face, name: cursor.name() })?;
+            }
             Keyword::Group => self.groups.append(Names::One(cursor.name())),
             Keyword::FreeForm => self.omit(Omission::FreeForms, line),
             Keyword::Call => self.omit(Omission::Calls, line),

@@ -228,17 +228,6 @@ fn free_forms_are_noted() {
 }
 
 #[test]
-fn objects_name_the_mesh() {
-    let shape = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-    assert_eq!(read_mesh(&format!("o  my part \n{shape}")).name, "my part");
-    assert_eq!(read_mesh(&format!("o a\n{shape}o a\n{shape}")).name, "a");
-    let document = read(&format!("o a\n{shape}o b\nf 1 3 2\n"));
-    assert_eq!(faces(&document.meshes[0]), [[0, 1, 2], [0, 2, 1]]);
-    assert_eq!(document.meshes[0].name, "");
-    assert!(notes(&document)[0].contains("one mesh"));
-}
-
-#[test]
 fn errors_name_line_element_and_value() {
     let cases = [
         ("v 0 0 0\nv 1 0 0\n\nv 1 one 0\n", "4: vertex 2: \"one\" is not a number"),

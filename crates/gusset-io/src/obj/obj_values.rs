@@ -4,31 +4,45 @@ use super::obj_chunk::ABSENT;
 use crate::error::ReadError;
 use crate::mesh::Values;
 
-/// Makes values at vertices if all corners of each vertex agree bit for bit, and else at corners.
+/// Marks indices of values that begin with NaN as absent.
+pub(super) fn drop_missing_values<const N: usize>(values: &[[f64; N]], indices: &mut [u32]) {
+    if values.iter().any(|value| value[0].is_nan()) {
+        for index in indices {
+            if *index != ABSENT && values[*index as usize][0].is_nan() {
+                *index = ABSENT;
+            }
+        }
+    }
+}
+
+/// Makes values at vertices if all corners of each vertex agree bit for bit, and else at corners. Reuses the list if its order is the
+/// order of the vertices.
 ///
 /// `indices` has an index below `values.len()` or `ABSENT` for each corner, or is empty.
-pub(super) fn values_from_indices<const N: usize>(
+pub(super) fn values_from_lists<const N: usize>(
     values: Vec<[f64; N]>,
-    mut indices: Vec<u32>,
+    indices: Vec<u32>,
     corners: &[u32],
     vertex_count: usize,
 ) -> Result<Values<N>, ReadError> {
     if values.len() == vertex_count && indices == corners && !corners.is_empty() {
         return Ok(Values::Vertices(values));
     }
-    if values.iter().any(|value| value[0].is_nan()) {
-        for index in &mut indices {
-            if *index != ABSENT && values[*index as usize][0].is_nan() {
-                *index = ABSENT;
-            }
-        }
-    }
+    values_from_indices(&values, &indices, corners, vertex_count)
+}
+
+/// Makes values as [`values_from_lists`] does, of a part of the indices.
+pub(super) fn values_from_indices<const N: usize>(
+    values: &[[f64; N]],
+    indices: &[u32],
+    corners: &[u32],
+    vertex_count: usize,
+) -> Result<Values<N>, ReadError> {
     if indices.iter().all(|&index| index == ABSENT) {
         return Ok(Values::Absent);
     }
     let value_at = |index: u32| values.get(index as usize).copied().unwrap_or(Values::<N>::MISSING);
-    if let Some(of_vertices) = indices_of_vertices(&values, &indices, corners, vertex_count)? {
-        drop(indices);
+    if let Some(of_vertices) = indices_of_vertices(values, indices, corners, vertex_count)? {
         return Ok(Values::Vertices(collected(of_vertices.iter().map(|&index| value_at(index)))?));
     }
     Ok(Values::Corners(collected(indices.iter().map(|&index| value_at(index)))?))

@@ -2,11 +2,11 @@
 
 use super::obj_assembly::{Content, read_content};
 use super::obj_chunk::{Lists, Names, Omission, Tally};
-use super::obj_materials::{FaceMaterials, read_materials};
-use super::obj_values::values_from_indices;
+use super::obj_materials::read_materials;
+use super::obj_objects::{document_from_faces, is_split_by_objects};
 use crate::document::{Curves, Document, PointCloud};
 use crate::error::{Note, Place, ReadError, quoted};
-use crate::mesh::{Mesh, Positions, Values};
+use crate::mesh::Positions;
 use crate::options::ReadOptions;
 use crate::resources::Resources;
 use std::borrow::Cow;
@@ -41,6 +41,12 @@ pub(super) fn document_from_content(
         return Err(foreign_file(word, content.omissions[Omission::Unknown as usize].first_line + 1));
     }
     let mut notes = omission_notes(&content);
+    let is_split = is_split_by_objects(&content)?;
+    if (!is_split && content.objects.len() > 1) || content.groups == Names::Several {
+        let what =
+            if is_split { "groups: left out" } else { "objects and groups: left out; the file is read as one mesh" };
+        notes.push(Note::new(Place::Whole, format!("names of {what}")));
+    }
     scale_colours(&mut content.colours, &mut notes);
     let curves = curves_from_lists(&content.polylines, &content.positions)?;
     let face_count = content.face_offsets.len() - 1;
@@ -58,7 +64,8 @@ pub(super) fn document_from_content(
     let mut document = if face_count == 0 {
         Document::default()
     } else {
-        Document::from_mesh(mesh_from_content(content, materials.faces)?)
+        drop_element_vertices(&mut content)?;
+        document_from_faces(content, materials.faces, is_split)?
     };
     document.curves = curves;
     document.points = points;
@@ -117,9 +124,6 @@ fn omission_notes(content: &Content<'_>) -> Vec<Note> {
     let texcoords = content.missing_texcoords;
     let text = format!("{} without its texture coordinate, which does not exist", counted(texcoords, "corner"));
     add(at_line(texcoords), text);
-    if content.objects == Names::Several || content.groups == Names::Several {
-        notes.push(Note::new(Place::Whole, "names of objects and groups: left out; the file is read as one mesh"));
-    }
     notes
 }
 
@@ -182,29 +186,6 @@ fn cloud_from_points(content: &mut Content<'_>, is_cloud: bool) -> Result<PointC
     let has_normals = is_cloud && is_each_vertex && content.normals.len() == vertices.len();
     let normals = if has_normals { std::mem::take(&mut content.normals) } else { Vec::new() };
     Ok(PointCloud { positions: Positions::F64(points), normals, colours })
-}
-
-fn mesh_from_content(mut content: Content<'_>, materials: FaceMaterials) -> Result<Mesh, ReadError> {
-    drop_element_vertices(&mut content)?;
-    let name = match content.objects {
-        Names::One(name) => String::from_utf8_lossy(name).into_owned(),
-        _ => String::new(),
-    };
-    let vertex_count = content.positions.len();
-    let normals = values_from_indices(content.normals, content.corner_normals, &content.corners, vertex_count)?;
-    let texcoords: Values<2> =
-        values_from_indices(content.texcoords, content.corner_texcoords, &content.corners, vertex_count)?;
-    Ok(Mesh {
-        name,
-        positions: Positions::F64(content.positions),
-        face_offsets: content.face_offsets,
-        corners: content.corners,
-        normals,
-        texcoords,
-        vertex_colours: content.colours,
-        face_materials: materials,
-        ..Mesh::default()
-    })
 }
 
 /// Drops vertices at the end of the list that polylines and points use but faces do not. Curves and points have copies of them, and

@@ -189,8 +189,8 @@ impl ObjWriter<'_, '_> {
                 self.use_material(mesh.face_materials.get(face).copied().unwrap_or(NO_MATERIAL))?;
             }
             self.text.bytes(b"f")?;
-            let is_textured = range.clone().all(|corner| faces.texcoords.get(corner, mesh.corners[corner]) != 0);
-            let has_normals = range.clone().all(|corner| faces.normals.get(corner, mesh.corners[corner]) != 0);
+            let is_textured = faces.texcoords.has_face(mesh, face);
+            let has_normals = faces.normals.has_face(mesh, face);
             for place in range.clone() {
                 let corner =
                     if faces.is_mirrored && place > range.start { range.end - (place - range.start) } else { place };

@@ -105,7 +105,10 @@ fn placements_become_objects() {
     let (text, ..) = written(&document);
     let objects: Vec<_> = text.lines().filter(|line| line.starts_with("o ")).collect();
     assert_eq!(objects, ["o first_f 9 9 9", "o object_2", "o second"]);
-    let back = read(&text).meshes.remove(0);
+    let back = read(&text);
+    let names: Vec<_> = back.meshes.iter().map(|mesh| &*mesh.name).collect();
+    assert_eq!(names, ["first_f 9 9 9", "object_2", "second"]);
+    let (back, ..) = back.flattened(u64::MAX).expect("it is small");
     let (flat, ..) = document.flattened(u64::MAX).expect("it is small");
     assert_eq!(back.face_count(), flat.face_count());
     for (now, was) in (0..back.face_count()).map(|face| (back.face_range(face), flat.face_range(face))) {

@@ -1,25 +1,29 @@
 //! Normals and texture coordinates as lines, each value once.
 
-use crate::mesh::Values;
+use crate::mesh::{Mesh, Values};
 use crate::text::TextWriter;
 use std::collections::HashMap;
 use std::hash::{BuildHasher, Hasher, RandomState};
 use std::io;
 
 /// Line numbers of values, from 1; 0 for missing values.
-pub(super) enum Numbers {
-    Absent,
-    Vertices(Vec<u64>),
-    Corners(Vec<u64>),
+pub(super) struct Numbers {
+    numbers: Vec<u64>,
+    is_at_corners: bool,
+    has_missing: bool,
 }
 
 impl Numbers {
+    #[inline]
     pub(super) fn get(&self, corner: usize, vertex: u32) -> u64 {
-        match self {
-            Self::Absent => 0,
-            Self::Vertices(numbers) => numbers[vertex as usize],
-            Self::Corners(numbers) => numbers[corner],
-        }
+        self.numbers[if self.is_at_corners { corner } else { vertex as usize }]
+    }
+
+    /// Returns whether all corners of a face have values.
+    #[inline]
+    pub(super) fn has_face(&self, mesh: &Mesh, face: usize) -> bool {
+        !self.numbers.is_empty()
+            && (!self.has_missing || mesh.face_range(face).all(|corner| self.get(corner, mesh.corners[corner]) != 0))
     }
 }
 
@@ -31,16 +35,17 @@ pub(super) fn write_values<const N: usize>(
     count: &mut u64,
     change: impl Fn([f64; N]) -> [f64; N],
 ) -> io::Result<Numbers> {
-    let (values, make): (_, fn(Vec<u64>) -> Numbers) = match values {
-        Values::Absent => return Ok(Numbers::Absent),
-        Values::Vertices(all) => (all, Numbers::Vertices),
-        Values::Corners(all) => (all, Numbers::Corners),
-    };
     let mut numbers = Vec::new();
+    let mut has_missing = false;
+    let is_at_corners = matches!(values, Values::Corners(_));
+    let (Values::Vertices(values) | Values::Corners(values)) = values else {
+        return Ok(Numbers { numbers, is_at_corners, has_missing });
+    };
     numbers.try_reserve_exact(values.len()).map_err(|_| io::ErrorKind::OutOfMemory)?;
     let mut known: HashMap<[u64; N], u64, SeededState> = HashMap::with_hasher(SeededState::random());
     for value in values {
         if value[0].is_nan() {
+            has_missing = true;
             numbers.push(0);
             continue;
         }
@@ -57,7 +62,7 @@ pub(super) fn write_values<const N: usize>(
         }
         numbers.push(number);
     }
-    Ok(make(numbers))
+    Ok(Numbers { numbers, is_at_corners, has_missing })
 }
 
 /// Seeds of a hash that differ from run to run, so that no file can be made of values that collide.
