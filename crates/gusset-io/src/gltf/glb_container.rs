@@ -42,8 +42,12 @@ pub(super) fn split_file<'a>(bytes: &'a [u8], notes: &mut Vec<Note>) -> Result<P
     match word(bytes, 4) {
         Some(2) => split_glb(bytes, notes),
         Some(1) => Err(ReadError::unsupported(OLD_VERSION)),
-        Some(version) => Err(ReadError::unsupported(format!("this is binary glTF of version {version}; version 2 is read"))),
-        None => Err(ReadError::malformed(Place::Byte(bytes.len() as u64), "the file ends in the header of binary glTF")),
+        Some(version) => {
+            Err(ReadError::unsupported(format!("this is binary glTF of version {version}; version 2 is read")))
+        }
+        None => {
+            Err(ReadError::malformed(Place::Byte(bytes.len() as u64), "the file ends in the header of binary glTF"))
+        }
     }
 }
 

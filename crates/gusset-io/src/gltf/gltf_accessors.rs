@@ -132,7 +132,8 @@ impl<'a> Accessors<'a> {
                 Some(self.elements(&name, view as usize, offset, count, component, width, notes)?)
             }
         };
-        let sparse = json.get("sparse").map(|sparse| self.sparse(&name, sparse, component, width, notes)).transpose()?;
+        let sparse =
+            json.get("sparse").map(|sparse| self.sparse(&name, sparse, component, width, notes)).transpose()?;
         let count = usize::try_from(count).map_err(|_| ReadError::out_of_memory())?;
         Ok(Accessor { name, count, component, is_normalised, width, elements, sparse })
     }

@@ -99,7 +99,8 @@ impl Binary {
         }
         let view = self.close_view(start, target);
         let kind = ["SCALAR", "VEC2", "VEC3", "VEC4"][N - 1];
-        let mut text = format!("{{\"bufferView\":{view},\"componentType\":{},\"count\":{count},\"type\":\"{kind}\"", T::CODE);
+        let mut text =
+            format!("{{\"bufferView\":{view},\"componentType\":{},\"count\":{count},\"type\":\"{kind}\"", T::CODE);
         if let Some([low, high]) = bounds {
             text.push_str(",\"min\":");
             push_numbers(&mut text, &low);

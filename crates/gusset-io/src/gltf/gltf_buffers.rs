@@ -72,12 +72,7 @@ pub(super) struct Buffers<'a> {
 pub(super) const MESHOPT_EXTENSIONS: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
 
 impl<'a> Buffers<'a> {
-    pub(super) fn new(
-        root: Value<'a>,
-        binary: Option<&'a [u8]>,
-        resources: &'a dyn Resources,
-        budget: Budget,
-    ) -> Self {
+    pub(super) fn new(root: Value<'a>, binary: Option<&'a [u8]>, resources: &'a dyn Resources, budget: Budget) -> Self {
         let list = |name| root.get(name).map_or_else(Vec::new, |list| list.items().collect());
         Self {
             budget,
@@ -142,7 +137,9 @@ impl<'a> Buffers<'a> {
             Some(address) => self.address(&address, &format!("buffer {index}"))?,
             None => {
                 let binary = self.binary.filter(|_| index == 0);
-                Bytes::Borrowed(binary.ok_or_else(|| malformed(format!("buffer {index} has neither bytes nor an address")))?)
+                Bytes::Borrowed(
+                    binary.ok_or_else(|| malformed(format!("buffer {index} has neither bytes nor an address")))?,
+                )
             }
         };
         self.loaded.insert(index, bytes.clone());

@@ -48,7 +48,7 @@ pub(super) fn append_faces(
     mesh: &mut Mesh,
     primitive: Value<'_>,
     mode: Mode,
-    indices: &[u32],
+    mut indices: Vec<u32>,
     first_vertex: u32,
     notes: &mut Vec<Note>,
 ) -> Result<(), ReadError> {
@@ -56,24 +56,33 @@ pub(super) fn append_faces(
         return Err(ReadError::new(ReadErrorKind::TooLarge, "a mesh has more than 2^32 - 2 corners"));
     }
     if mode != Mode::Triangles {
-        return append_strip(mesh, mode, indices);
+        return append_strip(mesh, mode, &indices);
     }
     let (triangles, rest) = indices.as_chunks::<3>();
     if !rest.is_empty() {
         let count = rest.len();
-        let text = format!("{count} {} after the last triangle and are ignored", if count == 1 { "index follows" } else { "indices follow" });
+        let text = format!(
+            "{count} {} after the last triangle and are ignored",
+            if count == 1 { "index follows" } else { "indices follow" }
+        );
         notes.push(Note::new(Place::Whole, text.replace("and are", if count == 1 { "and is" } else { "and are" })));
     }
     let is_grouped = primitive.get("extensions").and_then(|all| all.get(POLYGON_EXTENSION)).is_some();
     let polygons = primitive.get("extras").and_then(|extras| extras.get(POLYGON_EXTRAS));
-    mesh.corners.try_reserve(indices.len())?;
     if !is_grouped && polygons.is_none() {
-        mesh.face_offsets.try_reserve(triangles.len())?;
-        let start = mesh.corners.len() as u32;
-        mesh.corners.extend_from_slice(triangles.as_flattened());
-        mesh.face_offsets.extend((1..=triangles.len() as u32).map(|face| start + 3 * face));
+        let (start, count) = (mesh.corners.len() as u32, triangles.len() as u32);
+        mesh.face_offsets.try_reserve(count as usize)?;
+        mesh.face_offsets.extend((1..=count).map(|face| start + 3 * face));
+        if start == 0 {
+            indices.truncate(3 * count as usize);
+            mesh.corners = indices;
+        } else {
+            mesh.corners.try_reserve(indices.len())?;
+            mesh.corners.extend_from_slice(triangles.as_flattened());
+        }
         return Ok(());
     }
+    mesh.corners.try_reserve(indices.len())?;
     let mut place = 0;
     for polygon in polygons.into_iter().flat_map(Value::items) {
         match listed_polygon(polygon, triangles, place, first_vertex) {
@@ -83,7 +92,10 @@ pub(super) fn append_faces(
                 place = first + count;
             }
             None => {
-                notes.push(Note::new(Place::Whole, "lists of polygons in extras do not fit the triangles and are ignored"));
+                notes.push(Note::new(
+                    Place::Whole,
+                    "lists of polygons in extras do not fit the triangles and are ignored",
+                ));
                 break;
             }
         }

@@ -98,7 +98,8 @@ fn fan_start(mesh: &Mesh, face: usize, corners: &[u32], avoided: Option<u32>) ->
         let part = area(0, place, place + 1);
         whole = std::array::from_fn(|axis| whole[axis] + part[axis]);
     }
-    let covers = |start: usize| (1..degree - 1).all(|place| dot(area(start, start + place, start + place + 1), whole) >= 0.0);
+    let covers =
+        |start: usize| (1..degree - 1).all(|place| dot(area(start, start + place, start + place + 1), whole) >= 0.0);
     let tried = if degree <= MAX_TRIED_CORNERS { degree } else { 2 };
     (0..tried).find(|&start| allowed(start) && covers(start))
 }

@@ -1,10 +1,10 @@
 //! Materials as JSON text, with their samplers and images.
 
+use super::base64::decode_percent;
 use super::gltf_buffers::{Buffers, data_address, element, malformed};
 use super::gltf_colour::srgb_from_linear;
 use super::json_tape::Value;
 use super::json_text::{Edit, push_edited};
-use super::base64::decode_percent;
 use crate::document::Document;
 use crate::error::{Note, Place, ReadError};
 use crate::material::{Image, ImageData, Material, NativeMaterial};

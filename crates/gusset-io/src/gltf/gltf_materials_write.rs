@@ -115,7 +115,9 @@ impl<'d> MaterialWriter<'d> {
                 }
             }
             match written.get(&index(value)) {
-                Some(texture) if key.is("index") && parent.is_some_and(is_texture) => Edit::Replace(texture.to_string()),
+                Some(texture) if key.is("index") && parent.is_some_and(is_texture) => {
+                    Edit::Replace(texture.to_string())
+                }
                 _ => Edit::Keep,
             }
         });

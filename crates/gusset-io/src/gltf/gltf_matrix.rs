@@ -35,14 +35,22 @@ pub(super) fn matrix_from_node(node: Value<'_>, index: usize, notes: &mut Vec<No
         }
         return Ok(std::array::from_fn(|row| std::array::from_fn(|column| m[4 * column + row])));
     }
-    fn vector<const N: usize>(node: Value<'_>, index: usize, key: &str, usual: [f64; N]) -> Result<[f64; N], ReadError> {
+    fn vector<const N: usize>(
+        node: Value<'_>,
+        index: usize,
+        key: &str,
+        usual: [f64; N],
+    ) -> Result<[f64; N], ReadError> {
         node.get(key).map_or(Ok(usual), |value| {
             value.numbers().ok_or_else(|| malformed(format!("node {index}: the {key} is not a list of {N} numbers")))
         })
     }
     let rotation = vector(node, index, "rotation", [0.0, 0.0, 0.0, 1.0])?;
     if rotation == [0.0; 4] {
-        notes.push(Note::new(Place::Whole, format!("node {index}: the rotation is a quaternion of length 0 and is ignored")));
+        notes.push(Note::new(
+            Place::Whole,
+            format!("node {index}: the rotation is a quaternion of length 0 and is ignored"),
+        ));
     }
     Ok(matrix_from_trs(
         vector(node, index, "translation", [0.0; 3])?,

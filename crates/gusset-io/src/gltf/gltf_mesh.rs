@@ -106,7 +106,8 @@ impl<'r, 'a> MeshReader<'r, 'a> {
                 None => self.unread.attribute(&key.text().unwrap_or_default()),
             }
         }
-        self.unread.has_morph_targets |= primitive.get("targets").is_some_and(|targets| targets.items().next().is_some());
+        self.unread.has_morph_targets |=
+            primitive.get("targets").is_some_and(|targets| targets.items().next().is_some());
         let is_draco = primitive.get("extensions").is_some_and(|all| all.get(DRACO).is_some());
         let Some(position) = source[0] else {
             return Err(malformed(format!("mesh {mesh}, primitive {number} has no positions")));
@@ -143,7 +144,7 @@ impl<'r, 'a> MeshReader<'r, 'a> {
         // Offsets and corners; strips make three corners of each index.
         let faces = indices.len() as u64 / if mode == Mode::Triangles { 3 } else { 1 };
         self.accessors.buffers.budget.take::<[u32; 4]>(faces)?;
-        append_faces(&mut self.mesh, primitive, mode, &indices, range[0], self.notes)
+        append_faces(&mut self.mesh, primitive, mode, indices, range[0], self.notes)
     }
 
     /// Appends the vertices of a primitive. Returns the first one and their number.

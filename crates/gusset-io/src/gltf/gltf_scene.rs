@@ -61,14 +61,10 @@ fn unplaced_meshes<'a>(root: Value<'a>, accessors: &mut Accessors<'a>) -> Result
 }
 
 fn node_index(value: Value<'_>, count: usize) -> Result<usize, ReadError> {
-    value
-        .whole()
-        .and_then(|index| usize::try_from(index).ok())
-        .filter(|&index| index < count)
-        .ok_or_else(|| {
-            let raw = String::from_utf8_lossy(&value.raw()[..value.raw().len().min(20)]);
-            malformed(format!("node {raw} does not exist (the file has {count})"))
-        })
+    value.whole().and_then(|index| usize::try_from(index).ok()).filter(|&index| index < count).ok_or_else(|| {
+        let raw = String::from_utf8_lossy(&value.raw()[..value.raw().len().min(20)]);
+        malformed(format!("node {raw} does not exist (the file has {count})"))
+    })
 }
 
 /// Returns the parent of each node. Refuses a node that two nodes contain, and nodes that contain themselves.

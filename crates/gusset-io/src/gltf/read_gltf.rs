@@ -63,10 +63,10 @@ fn check_version(root: Value<'_>, notes: &mut Vec<Note>) -> Result<(), ReadError
     }
     match asset.and_then(|asset| asset.get("version")?.text()) {
         Some(version) if version.starts_with("2.") || version == "2" => Ok(()),
-        Some(version) if version.starts_with('1') || version.starts_with('0') => Err(ReadError::unsupported(OLD_VERSION)),
-        Some(version) => {
-            Err(ReadError::unsupported(format!("this is glTF of version {version}; version 2 is read")))
+        Some(version) if version.starts_with('1') || version.starts_with('0') => {
+            Err(ReadError::unsupported(OLD_VERSION))
         }
+        Some(version) => Err(ReadError::unsupported(format!("this is glTF of version {version}; version 2 is read"))),
         // In version 1, meshes are members of an object.
         None if root.get("meshes").is_some_and(Value::is_object) => Err(ReadError::unsupported(OLD_VERSION)),
         None => {

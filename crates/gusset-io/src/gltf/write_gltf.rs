@@ -137,7 +137,8 @@ impl<'d> SceneWriter<'d> {
 
     /// Returns the JSON text before and after the buffer's entry.
     fn json(&self) -> (String, String) {
-        let mut head = String::from("{\"asset\":{\"version\":\"2.0\",\"generator\":\"gusset\"},\"scene\":0,\"scenes\":[{");
+        let mut head =
+            String::from("{\"asset\":{\"version\":\"2.0\",\"generator\":\"gusset\"},\"scene\":0,\"scenes\":[{");
         if self.nodes.count > 0 {
             head.push_str("\"nodes\":[");
             for node in 0..self.nodes.count {

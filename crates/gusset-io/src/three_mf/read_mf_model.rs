@@ -15,14 +15,8 @@ use std::collections::BTreeSet;
 use std::io::{BufRead, Read};
 
 /// Units of length in metres.
-pub(super) const UNITS: [(&str, f64); 6] = [
-    ("micron", 1e-6),
-    ("millimeter", 1e-3),
-    ("centimeter", 1e-2),
-    ("inch", 0.0254),
-    ("foot", 0.3048),
-    ("meter", 1.0),
-];
+pub(super) const UNITS: [(&str, f64); 6] =
+    [("micron", 1e-6), ("millimeter", 1e-3), ("centimeter", 1e-2), ("inch", 0.0254), ("foot", 0.3048), ("meter", 1.0)];
 
 /// State of the reader of one part.
 pub(super) struct ModelReader<'r> {
@@ -239,7 +233,8 @@ impl<'r> ModelReader<'r> {
     fn end_object(&mut self) -> Result<(), ReadError> {
         let Some(mut object) = self.object.take() else { return Ok(()) };
         if let Some(open) = self.mesh.take() {
-            object.mesh = Some(self.finished_mesh(open, &object)?);
+            self.budget.take::<Mesh>(1)?;
+            object.mesh = Some(Box::new(self.finished_mesh(open, &object)?));
         }
         let id = object.id;
         if self.model.objects.insert(id, object).is_some() {
@@ -431,7 +426,11 @@ impl<'r> ModelReader<'r> {
                 let bytes = self.package.part(&key)?.read_all(self.budget.left_bytes() / 2)?;
                 self.budget.take::<u8>(2 * bytes.len() as u64)?;
                 let media_type = attribute(tag, "contenttype").unwrap_or_default();
-                self.document.images.push(Image { name: name.clone(), media_type, data: ImageData::Bytes(bytes.into()) });
+                self.document.images.push(Image {
+                    name: name.clone(),
+                    media_type,
+                    data: ImageData::Bytes(bytes.into()),
+                });
                 let image = self.document.images.len() as u32 - 1;
                 self.model.images.insert(key, image);
                 image
