@@ -176,7 +176,7 @@ fn assert_offsets(offsets: &[u32], count: usize, end: usize) {
 /// Returns the positions of the corners of all faces in the scene, as bits that are equal for equal numbers. Rounds positions if they
 /// were written with the digits of single precision.
 fn shape(document: &Document, is_single: bool) -> Vec<Vec<[u64; 3]>> {
-    let Ok((mesh, ..)) = document.clone().flattened(1 << 20) else { return Vec::new() };
+    let Some(mesh) = document.clone().into_joined(1 << 20).ok().and_then(|mut joined| joined.meshes.pop()) else { return Vec::new() };
     let rounded = |x: f64| if is_single { f64::from(x as f32) } else { x };
     let bits = |x: f64| if x.is_nan() { u64::MAX } else { (rounded(x) + 0.0).to_bits() };
     let corner = |vertex: &u32| mesh.positions.get(*vertex as usize).map(bits);

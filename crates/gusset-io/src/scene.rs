@@ -1,14 +1,14 @@
 //! The scene as one mesh, for formats that hold one, and what such formats lose.
 
 use crate::document::Document;
-use crate::error::{Loss, WriteError};
+use crate::error::{Loss, WriteError, WriteErrorKind};
 use crate::material::NO_MATERIAL;
 use crate::mesh::{Domain, Mesh};
 use std::borrow::Cow;
 
 /// Joins all placed meshes into one. Borrows the mesh if the scene is one mesh in its own coordinates.
 pub(crate) fn scene_mesh(document: &Document) -> Result<Cow<'_, Mesh>, WriteError> {
-    if document.placements.is_empty() { Ok(Cow::Owned(Mesh::default())) } else { document.joined() }
+    document.joined()
 }
 
 /// Attributes of meshes that a format may hold.

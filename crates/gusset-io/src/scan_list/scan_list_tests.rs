@@ -41,7 +41,7 @@ fn read(list: &str, files: &Files) -> Result<Document, ReadError> {
 
 /// Points of all placed meshes in the scene.
 fn placed(document: &Document) -> Vec<[f64; 3]> {
-    document.clone().flattened(1000).expect("a small scene").0.positions.iter().collect()
+    document.clone().into_joined(1000).expect("a small scene").meshes[0].positions.iter().collect()
 }
 
 #[test]
