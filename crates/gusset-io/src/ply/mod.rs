@@ -26,6 +26,8 @@ mod row_writer;
 mod write_ply;
 
 #[cfg(test)]
+mod ply_hostile_tests;
+#[cfg(test)]
 mod ply_tests;
 
 pub(crate) use read_ply::read_ply;
