@@ -16,11 +16,13 @@ pub(crate) struct Expected {
     pub(crate) least_memory: u64,
     /// Whether a file holds positions and polygons as they are.
     pub(crate) is_exact: bool,
+    /// Whether numbers in a file are rounded, so that a file that was read and written again may differ in them.
+    pub(crate) is_rounded: bool,
 }
 
 impl Expected {
     pub(crate) fn new(format: Format) -> Self {
-        Self { format, least_memory: 1 << 20, is_exact: false }
+        Self { format, least_memory: 1 << 20, is_exact: false, is_rounded: false }
     }
 }
 
@@ -68,6 +70,9 @@ pub(crate) fn check(bytes: &[u8], files: &Files, expected: Expected) {
         }
     };
     assert_valid(&document);
+    if is_empty(&document) {
+        return;
+    }
     assert!(size(&document) <= most, "{} bytes of a document of files of {sources}", size(&document));
     for text in [false, true] {
         let Some((first, beside)) = written(&document, format, files, text) else { continue };
@@ -83,8 +88,15 @@ pub(crate) fn check(bytes: &[u8], files: &Files, expected: Expected) {
         };
         let again = reread(&second, &beside, format);
         let Some((third, _)) = written(&again, format, &beside, text) else { panic!("a read file is not writable") };
-        expect_equal(&second, &third);
+        if !expected.is_rounded {
+            expect_equal(&second, &third);
+        }
     }
+}
+
+fn is_empty(document: &Document) -> bool {
+    let has_points = document.meshes.iter().any(|mesh| !mesh.positions.is_empty());
+    !has_points && document.points.positions.is_empty() && document.curves.positions.is_empty()
 }
 
 fn reread(bytes: &[u8], files: &Files, format: Format) -> Document {
