@@ -3,8 +3,8 @@
 use super::{read_ply, write_ply};
 use crate::document_checks::{assert_valid, is_closed};
 use crate::{
-    Document, Domain, ImageData, Loss, Mesh, NO_MATERIAL, NoResources, NumberKind, Positions, Property, ReadError,
-    ReadOptions, Target, Values, WriteOptions,
+    Document, Domain, ImageData, Loss, Mesh, NO_MATERIAL, NoResources, NumberKind, Place, Positions, Property,
+    ReadError, ReadOptions, Target, Values, WriteOptions,
 };
 
 pub(super) fn read(bytes: impl AsRef<[u8]>) -> Document {
@@ -194,6 +194,8 @@ fn headers_may_end_lines_in_any_way() {
     }
     let longer: Vec<u8> = binary.iter().copied().chain([0; 2]).collect();
     assert_eq!(note_texts(&read(longer)), ["2 bytes follow the last row and are ignored"]);
+    let notes = read(text + "\n5 6\n7\n").notes;
+    assert_eq!((notes.len(), notes[0].place), (1, Place::Line(15)));
 }
 
 #[test]

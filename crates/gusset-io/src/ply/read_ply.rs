@@ -74,7 +74,8 @@ impl Content {
         }
         let mut notes = face_parts.finish(&mut content.mesh);
         content.notes.append(&mut notes);
-        content.note_left_over(header, &roles, rows.remaining());
+        content.note_left_over(header, &roles);
+        content.notes.extend(rows.note_rest());
         Ok(content)
     }
 
@@ -141,7 +142,7 @@ impl Content {
         }
     }
 
-    fn note_left_over(&mut self, header: &Header<'_>, roles: &[Role], remaining: usize) {
+    fn note_left_over(&mut self, header: &Header<'_>, roles: &[Role]) {
         const MAX_NOTES: usize = 16;
         for (element, role) in header.elements.iter().zip(roles).filter(|(element, _)| element.count > 0) {
             let lists = match role {
@@ -165,10 +166,6 @@ impl Content {
                 let text = format!("the element {name} of {rows} is left out{}", reason_of_loss(header, element));
                 self.notes.push(Note::new(Place::Whole, text));
             }
-        }
-        if remaining > 0 && header.encoding != Encoding::Text {
-            let text = format!("{remaining} bytes follow the last row and are ignored");
-            self.notes.push(Note::new(Place::Whole, text));
         }
     }
 
