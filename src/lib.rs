@@ -67,4 +67,4 @@ pub use gusset_surface as surface;
 /// The allocator of the libraries for C.
 #[cfg(feature = "reserve")]
 #[global_allocator]
-static ALLOCATOR: gusset_base::reserve::Backed = gusset_base::reserve::Backed;
+static ALLOCATOR: gusset_base::reserve::ReserveBackedAllocator = gusset_base::reserve::ReserveBackedAllocator;

@@ -113,18 +113,18 @@ impl Document {
     /// # Errors
     /// `TooLarge` if the scene has more than 2^32 - 2 points or corners, or if repeated meshes hold more than `max_elements` points and
     /// corners. `OutOfMemory`.
-    pub fn flattened(mut self, max_elements: u64) -> Result<(Mesh, Vec<Material>, Vec<Image>, Vec<Note>), ReadError> {
-        if let [placement] = &self.placements[..]
-            && placement.transform == Placement::IDENTITY
-        {
-            let mesh = std::mem::take(&mut self.meshes[placement.mesh as usize]);
-            return Ok((mesh, self.materials, self.images, self.notes));
-        }
-        let joined = self.joined_copy(max_elements)?;
-        Ok((joined, self.materials, self.images, self.notes))
+    pub fn into_joined(mut self, max_elements: u64) -> Result<Self, ReadError> {
+        let mesh = match &self.placements[..] {
+            [placement] if placement.transform == Placement::IDENTITY => {
+                std::mem::take(&mut self.meshes[placement.mesh as usize])
+            }
+            _ => self.joined_copy(max_elements)?,
+        };
+        let placement = Placement { name: mesh.name.clone(), mesh: 0, transform: Placement::IDENTITY };
+        Ok(Self { meshes: vec![mesh], placements: vec![placement], ..self })
     }
 
-    /// Joins all placed meshes as [`flattened`](Self::flattened) does. Borrows a mesh that is placed alone by the identity.
+    /// Joins all placed meshes as [`into_joined`](Self::into_joined) does. Borrows a mesh that is placed alone by the identity.
     pub(crate) fn joined(&self) -> Result<Cow<'_, Mesh>, WriteError> {
         if let [placement] = &self.placements[..]
             && placement.transform == Placement::IDENTITY
@@ -244,6 +244,7 @@ fn cofactor_rows(m: &[[f64; 4]; 3]) -> [[f64; 3]; 3] {
     [cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])]
 }
 
+/// Returns the unit normal of a transformed surface; the normal itself if it has no direction.
 pub(crate) fn transformed_normal(matrix: &[[f64; 4]; 3], normal: [f64; 3]) -> [f64; 3] {
     let sign = determinant(matrix).signum();
     let turned = cofactor_rows(matrix).map(|row| sign * (row[0] * normal[0] + row[1] * normal[1] + row[2] * normal[2]));

@@ -77,7 +77,7 @@ proptest! {
         });
         let document = Document { placements: placements.collect(), meshes: meshes.clone(), ..Document::default() };
         let borrowed = document.joined().expect("it is small").into_owned();
-        let (joined, ..) = document.flattened(1000).expect("it is small");
+        let joined = document.into_joined(1000).expect("it is small").meshes.remove(0);
         // Missing values are NaN, so that `==` would not do.
         prop_assert_eq!(format!("{:?}", borrowed), format!("{:?}", joined));
         prop_assert_eq!(joined.face_count(), 2 * meshes.len());
@@ -134,9 +134,9 @@ fn check_part(joined: &Mesh, part: usize, mesh: &Mesh, transform: usize) {
 fn copies_of_meshes_are_limited() {
     let placement = Placement { name: String::new(), mesh: 0, transform: TURN };
     let document = Document { meshes: vec![mesh(0, 1.0)], placements: vec![placement; 100], ..Document::default() };
-    let error = document.clone().flattened(1199).expect_err("they have 1200 points and corners");
+    let error = document.clone().into_joined(1199).expect_err("they have 1200 points and corners");
     assert_eq!(error.kind, ReadErrorKind::TooLarge);
-    assert!(document.flattened(1200).is_ok());
-    let (empty, ..) = Document::default().flattened(0).expect("it is empty");
+    assert!(document.into_joined(1200).is_ok());
+    let empty = Document::default().into_joined(0).expect("it is empty").meshes.remove(0);
     assert_eq!(empty, Mesh::default());
 }

@@ -108,8 +108,12 @@ impl Format {
     pub fn holds(self, content: Content) -> bool {
         match content {
             Content::Meshes => !matches!(self, Self::ScanList | Self::Xyz | Self::Csv | Self::Svg | Self::Dxf),
-            Content::Curves => matches!(self, Self::Obj | Self::Svg | Self::Dxf | Self::Xyz | Self::Csv),
-            Content::Points => matches!(self, Self::Obj | Self::Ply | Self::Xyz | Self::Csv),
+            Content::Curves => {
+                matches!(self, Self::Obj | Self::Gltf | Self::Glb | Self::Svg | Self::Dxf | Self::Xyz | Self::Csv)
+            }
+            Content::Points => {
+                matches!(self, Self::Obj | Self::Ply | Self::Gltf | Self::Glb | Self::Xyz | Self::Csv)
+            }
         }
     }
 }

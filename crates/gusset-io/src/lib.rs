@@ -9,24 +9,34 @@
 //!
 //! One folder holds one format. `document`, `mesh` and `material` are the model that all formats share; `text` reads and writes numbers
 //! and words; `polygons` splits polygons into triangles, by `ear_clipping` and `least_overlap`; `precision` tells what single precision
-//! would move. `files` reads and writes paths, `folder` finds the files that a file refers to, and `pending_file` replaces a file whole.
+//! would move; `scene` joins meshes for formats that hold one; `vertex_merging` finds equal positions. `files` reads and writes paths,
+//! `folder` finds the files that a file refers to, and `pending_file` replaces a file whole.
 
+mod budget;
+mod colour_steps;
 mod document;
 mod ear_clipping;
 mod error;
 mod files;
 mod folder;
+mod foreign_files;
 mod format;
 mod least_overlap;
 mod material;
 mod merging;
 mod mesh;
 mod options;
+pub mod packed;
 mod pending_file;
+mod parallel_fill;
 mod polygons;
 mod precision;
 mod resources;
+mod scene;
 mod text;
+mod validity;
+mod text_encoding;
+mod vertex_merging;
 
 #[cfg(test)]
 mod document_tests;

@@ -1,7 +1,9 @@
-//! Measures of meshes for tests.
+//! Measures of meshes, files in memory and changes of files, for tests.
 
 use crate::mesh::{Mesh, Positions};
 use crate::polygons::triangulate_face;
+use crate::{Document, Format, Loss, NoResources, Target, WriteError, WriteOptions, write};
+use proptest::prelude::*;
 use std::collections::BTreeMap;
 
 /// Makes a mesh of faces.
@@ -54,4 +56,48 @@ pub(crate) fn is_closed(mesh: &Mesh) -> bool {
         }
     }
     passes.values().all(|&count| count == 0)
+}
+
+/// Writes a document into memory. Returns the bytes and the losses.
+pub(crate) fn write_to_bytes(
+    document: &Document,
+    format: Format,
+    options: &WriteOptions,
+) -> Result<(Vec<u8>, Vec<String>), WriteError> {
+    let mut bytes = Vec::new();
+    let mut refuse = |name: &str, _: &[u8]| Err(std::io::Error::other(name.to_string()));
+    let mut target = Target { main: &mut bytes, stem: "test", beside: &mut refuse, resources: &NoResources };
+    let losses = write(document, format, &mut target, options)?;
+    Ok((bytes, losses.into_iter().map(|Loss(text)| text).collect()))
+}
+
+/// A change of a file: kind, place and length as fractions of the file, and a byte.
+pub(crate) type Mutation = (u8, f64, f64, u8);
+
+/// Makes lists of changes.
+pub(crate) fn mutations() -> impl Strategy<Value = Vec<Mutation>> {
+    prop::collection::vec((0_u8..6, 0.0..1.0, 0.0..0.3, any::<u8>()), 1..8)
+}
+
+/// Flips, cuts, repeats, inserts or replaces bytes.
+pub(crate) fn mutate(bytes: &mut Vec<u8>, changes: &[Mutation]) {
+    for &(kind, place, length, byte) in changes {
+        let start = ((place * bytes.len() as f64) as usize).min(bytes.len());
+        let end = (start + (length * bytes.len() as f64) as usize).min(bytes.len());
+        match kind {
+            0 => bytes.iter_mut().skip(start).take(1).for_each(|value| *value ^= byte),
+            1 => bytes.truncate(start),
+            2 => {
+                let repeated = bytes[start..end].to_vec();
+                bytes.splice(start..start, repeated);
+            }
+            3 => bytes.insert(start, byte),
+            4 => drop(bytes.drain(start..end)),
+            _ => bytes
+                .iter_mut()
+                .skip(start)
+                .take(1)
+                .for_each(|value| *value = b"0123456789-+.eE \n#/,"[byte as usize % 20]),
+        }
+    }
 }

@@ -179,7 +179,10 @@ impl Carrier<'_, '_> {
             return Some(());
         }
         let computed = vertex_normals(&self.result.mesh);
-        let or_computed = |normal: [f64; 3], vertex: usize| if normal[0].is_nan() { computed[vertex] } else { normal };
+        // A reversed normal has no negative zeros.
+        let or_computed = |normal: [f64; 3], vertex: usize| {
+            if normal[0].is_nan() { computed[vertex] } else { normal.map(|part| part + 0.0) }
+        };
         let smooth: Option<Vec<Vec<[f64; 3]>>> = self
             .pieces
             .iter()

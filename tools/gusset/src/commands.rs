@@ -233,6 +233,7 @@ impl Builder {
                 .value_name("CHOICE")
                 .value_parser(PossibleValuesParser::new(choices))
                 .hide_possible_values(true)
+                .ignore_case(true)
                 .allow_hyphen_values(false),
             ParamKind::Integer => made.value_name("N"),
             ParamKind::Length => made.value_name("LENGTH"),
@@ -262,23 +263,23 @@ impl Builder {
 
     fn filters(&self) -> Command {
         self.subcommand("filters", "Lists all filters, or describes one and its parameters", "gusset filters fill")
-            .arg(Arg::new("filter").help("Filter to describe"))
+            .arg(self.filter_argument("Filter to describe"))
             .arg(inputs("Files to suggest values for", 0))
             .arg(flag("ids").help("Lists the ids of the filters alone"))
             .arg(json())
             .args(read_options())
     }
 
+    /// The name of a filter. Completions offer the ids; the plugin decides, and suggests.
+    fn filter_argument(&self, help: &'static str) -> Arg {
+        let made = Arg::new("filter").help(help);
+        let Some(plugin) = self.plugin.filter(|_| self.in_full) else { return made };
+        let ids = plugin.filters().into_iter().map(Filter::id);
+        made.value_parser(PossibleValuesParser::new(ids)).hide_possible_values(true)
+    }
+
     fn run(&self) -> Command {
-        let ids: Vec<&str> =
-            self.plugin.map(|plugin| plugin.filters().into_iter().map(Filter::id).collect()).unwrap_or_default();
-        let filter = Arg::new("filter").required(true).help("Filter, as 'gusset filters' names it");
-        // Completions offer the ids; the plugin decides, and suggests.
-        let filter = if self.in_full {
-            filter.value_parser(PossibleValuesParser::new(ids)).hide_possible_values(true)
-        } else {
-            filter
-        };
+        let filter = self.filter_argument("Filter, as 'gusset filters' names it").required(true);
         self.subcommand("run", "Runs any filter", "gusset run curve_resample outline.svg -p number=200 -o points.csv")
             .arg(filter)
             .arg(inputs("Files to read; - is standard input", 0))

@@ -254,7 +254,8 @@ fn convert_file(
     let document = reading.convertible(file)?;
     let content = reading::main_content(&document);
     writing.check(output, content)?;
-    let described = reading::describe(&file.shown(), &document);
+    let mut described = reading::describe(&file.shown(), &document);
+    described["notes"] = document.notes.iter().map(|note| note.text.as_str()).collect();
     let mut made = reading::describe(&output.shown(), &document);
     made["lost"] = json!(if is_dry { Vec::new() } else { writing.write(output, &document, Vec::new())? });
     Ok((String::new(), json!({ "command": "convert", "inputs": [described], "outputs": [made] })))

@@ -13,6 +13,8 @@ pub(crate) struct Piece {
     pub(crate) mesh: Mesh,
     pub(crate) materials: Vec<Material>,
     pub(crate) images: Vec<Image>,
+    /// Deviations from the format that the reader accepted, and content that it left out.
+    pub(crate) notes: Vec<String>,
     /// Metres for each unit of length, if the file says so.
     pub(crate) metres_per_unit: Option<f64>,
 }
@@ -21,13 +23,13 @@ pub(crate) struct Piece {
 const MAX_SCENE_ELEMENTS: u64 = 1 << 30;
 
 impl Piece {
-    /// Joins a document's meshes into one piece. Returns it with the reader's notes.
-    pub(crate) fn from_document(document: Document, path: &str) -> Result<(Self, Vec<String>), Failure> {
-        let metres_per_unit = document.metres_per_unit;
-        let (mesh, materials, images, notes) =
-            document.flattened(MAX_SCENE_ELEMENTS).map_err(|error| read_failure(path, &error))?;
+    /// Joins a document's meshes into one piece.
+    pub(crate) fn from_document(document: Document, path: &str) -> Result<Self, Failure> {
+        let Document { mut meshes, materials, images, metres_per_unit, notes, .. } =
+            document.into_joined(MAX_SCENE_ELEMENTS).map_err(|error| read_failure(path, &error))?;
+        let mesh = meshes.pop().unwrap_or_default();
         let notes = notes.into_iter().map(|note| note.text).collect();
-        Ok((Self { path: path.to_owned(), mesh, materials, images, metres_per_unit }, notes))
+        Ok(Self { path: path.to_owned(), mesh, materials, images, notes, metres_per_unit })
     }
 
     /// Makes a document for a writer.

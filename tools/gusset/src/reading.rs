@@ -67,8 +67,8 @@ impl Reading {
         let shown = file.shown();
         let document = self.document(file)?;
         let only = [(document.curves.closed.len(), "polylines"), (document.points.positions.len(), "points")];
-        let (piece, notes) = Piece::from_document(document, &shown)?;
-        tell_notes(&shown, &notes);
+        let piece = Piece::from_document(document, &shown)?;
+        tell_notes(&shown, &piece.notes);
         if piece.mesh.face_count() == 0 {
             let rest = only
                 .iter()
@@ -128,9 +128,9 @@ fn is_mesh_file(path: &Path) -> bool {
 impl Reading {
     /// Reads a document with anything in it. Writes the reader's notes to standard error.
     pub(crate) fn convertible(&self, file: &FileName) -> Result<Document, Failure> {
-        let mut document = self.document(file)?;
+        let document = self.document(file)?;
         let shown = file.shown();
-        let notes: Vec<String> = std::mem::take(&mut document.notes).into_iter().map(|note| note.text).collect();
+        let notes: Vec<String> = document.notes.iter().map(|note| note.text.clone()).collect();
         tell_notes(&shown, &notes);
         let is_empty =
             face_count(&document) == 0 && document.curves.closed.is_empty() && document.points.positions.is_empty();

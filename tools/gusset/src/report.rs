@@ -32,7 +32,11 @@ pub(crate) fn describe_curves(path: &str, curves: &Curves) -> Value {
 
 pub(crate) fn describe_geometry(path: &str, geometry: &Geometry) -> Value {
     match geometry {
-        Geometry::Mesh(piece) => describe_mesh(path, &piece.mesh),
+        Geometry::Mesh(piece) => {
+            let mut made = describe_mesh(path, &piece.mesh);
+            made["notes"] = json!(piece.notes);
+            made
+        }
         Geometry::Curves(curves) => describe_curves(path, curves),
     }
 }

@@ -84,7 +84,9 @@ impl Loaded {
     }
 
     fn meshes(&self) -> Vec<&Piece> {
-        let piece = |geometry| if let Geometry::Mesh(piece) = geometry { Some(piece) } else { None };
+        fn piece(geometry: &Geometry) -> Option<&Piece> {
+            if let Geometry::Mesh(piece) = geometry { Some(piece) } else { None }
+        }
         self.inputs.geometry().iter().filter_map(piece).collect()
     }
 

@@ -56,8 +56,10 @@ fn unknown_param(filter: Filter, name: &str) -> String {
 /// Returns the word nearest to a mistyped one, if any is near.
 pub(crate) fn nearest_word<'a>(typed: &str, words: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     const MIN_LIKENESS: f64 = 0.7;
+    const MIN_PREFIX: usize = 3;
+    let is_prefix = |word: &str| typed.len() >= MIN_PREFIX && word.starts_with(typed);
     words
-        .map(|word| (likeness(typed, word), word))
+        .map(|word| (if is_prefix(word) { 1.0 } else { likeness(typed, word) }, word))
         .filter(|(likeness, _)| *likeness >= MIN_LIKENESS)
         .max_by(|a, b| a.0.total_cmp(&b.0))
         .map(|(_, word)| word)

@@ -20,28 +20,28 @@ use gusset_base::job::Job;
 const SAMPLES: usize = 128;
 /// Distances and sums whose relative difference is below this are equal, so that round-off does not
 /// decide.
-const TIE: f64 = 1e-9;
+const RELATIVE_TIE_TOLERANCE: f64 = 1e-9;
 
 /// A closed section, traversed from its anchor.
-pub(super) struct Ring<'a> {
+pub(super) struct AnchoredSection<'a> {
     pub(super) lengths: Lengths<'a>,
     /// The arc length at the anchor.
     pub(super) anchor: f64,
     pub(super) backwards: bool,
 }
 
-impl Ring<'_> {
+impl AnchoredSection<'_> {
     /// Returns the place at a fraction of the length after the anchor.
-    pub(super) fn place(&self, part: f64) -> Result<Place> {
+    pub(super) fn place_at_fraction(&self, fraction: f64) -> Result<Place> {
         let total = self.lengths.total();
-        let by = (part - part.floor()) * total;
+        let by = (fraction - fraction.floor()) * total;
         let at = self.anchor + if self.backwards { -by } else { by };
         let at = if at < 0.0 { at + total } else { at };
         self.lengths.place(if at >= total { at - total } else { at })
     }
 
     /// Returns the arc length from the anchor to a place: at least 0, less than the total length.
-    pub(super) fn length_to(&self, place: Place) -> Result<f64> {
+    pub(super) fn length_from_anchor(&self, place: Place) -> Result<f64> {
         let by = self.lengths.length_to(place)? - self.anchor;
         let by = if self.backwards { -by } else { by };
         Ok(if by < 0.0 { by + self.lengths.total() } else { by })
@@ -49,8 +49,8 @@ impl Ring<'_> {
 
     /// Returns points at equal fractions of the length, relative to their mean and scaled to size
     /// 1.
-    fn samples(&self) -> Result<Vec<DVec3>> {
-        let at = |k: usize| self.lengths.curve().point(self.place(k as f64 / SAMPLES as f64)?);
+    fn normalised_samples(&self) -> Result<Vec<DVec3>> {
+        let at = |k: usize| self.lengths.curve().point(self.place_at_fraction(k as f64 / SAMPLES as f64)?);
         let mut points = alloc::try_collect((0..SAMPLES).map(at))?;
         let mean = points.iter().map(|&p| p / SAMPLES as f64).sum::<DVec3>();
         points.iter_mut().for_each(|p| *p -= mean);
@@ -62,12 +62,12 @@ impl Ring<'_> {
 
 /// Returns the index of the anchor among the points of a section: the point farthest from the mean.
 /// Ties go to the largest x, then y, then z.
-pub(super) fn anchor(points: impl ExactSizeIterator<Item = DVec3> + Clone) -> usize {
+pub(super) fn farthest_from_mean(points: impl ExactSizeIterator<Item = DVec3> + Clone) -> usize {
     let count = points.len() as f64;
     let mean = points.clone().map(|p| p / count).sum::<DVec3>();
     let size = points.clone().map(|p| (p - mean).abs().max_element()).fold(f64::MIN_POSITIVE, f64::max);
     let far = |p: DVec3| ((p - mean) / size).length();
-    let least = points.clone().map(far).fold(0.0, f64::max) * (1.0 - TIE);
+    let least = points.clone().map(far).fold(0.0, f64::max) * (1.0 - RELATIVE_TIE_TOLERANCE);
     let place = |p: DVec3| p.to_array();
     let all = points.enumerate().filter(|&(_, p)| far(p) >= least);
     let best = all.max_by(|&(_, p), &(_, q)| place(p).partial_cmp(&place(q)).unwrap_or(std::cmp::Ordering::Equal));
@@ -79,18 +79,18 @@ const SECTIONS_PER_REPORT: usize = 1 << 8;
 
 /// Returns the fraction of its length after its anchor at which each section starts. If `ring`, the
 /// first section follows the last. O(sections), with a comparison of 128 points with 128 for each.
-pub(super) fn start_fractions(sections: &[Ring<'_>], ring: bool, job: &Job<'_>) -> Result<Vec<f64>> {
-    let samples = alloc::try_collect(sections.iter().map(Ring::samples))?;
+pub(super) fn start_fractions(sections: &[AnchoredSection<'_>], ring: bool, job: &Job<'_>) -> Result<Vec<f64>> {
+    let samples = alloc::try_collect(sections.iter().map(AnchoredSection::normalised_samples))?;
     let mut starts = alloc::with_capacity(sections.len())?;
     let mut start = 0.0;
     starts.push(start);
     for (k, pair) in samples.windows(2).enumerate() {
         job.step_every(SECTIONS_PER_REPORT, k, samples.len(), "finding nodes")?;
-        start += shift(&pair[0], &pair[1]);
+        start += best_cyclic_shift(&pair[0], &pair[1]);
         starts.push(start);
     }
     if let (true, Some(last), Some(first)) = (ring, samples.last(), samples.first()) {
-        let over = start + shift(last, first);
+        let over = start + best_cyclic_shift(last, first);
         let over = over - over.round();
         let count = sections.len() as f64;
         starts.iter_mut().zip(0..).for_each(|(start, k)| *start -= over * f64::from(k) / count);
@@ -99,13 +99,13 @@ pub(super) fn start_fractions(sections: &[Ring<'_>], ring: bool, job: &Job<'_>) 
 }
 
 /// Returns the shift of a section against the previous one, as a fraction of its length.
-fn shift(before: &[DVec3], section: &[DVec3]) -> f64 {
+fn best_cyclic_shift(before: &[DVec3], section: &[DVec3]) -> f64 {
     let n = SAMPLES;
     // Both sums of squares are constant, so the largest product has the smallest distance.
     let product = |d: usize| (0..n).map(|k| before[k].dot(section[(k + d) % n])).sum::<f64>();
     let products: [f64; SAMPLES] = std::array::from_fn(product);
     let most = products.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let best = products.iter().position(|&product| product >= most - TIE * most.abs()).unwrap_or(0);
+    let best = products.iter().position(|&product| product >= most - RELATIVE_TIE_TOLERANCE * most.abs()).unwrap_or(0);
     // Interpolate between samples by the parabola through three.
     let [left, right] = [products[(best + n - 1) % n], products[(best + 1) % n]];
     let bend = left - 2.0 * products[best] + right;
@@ -117,14 +117,14 @@ fn shift(before: &[DVec3], section: &[DVec3]) -> f64 {
 /// Returns the largest angle, in radians, by which a row of nodes around a body is rotated against
 /// the previous row. It is the angle of the rotation about the rows' common axis that best aligns
 /// them after both are centred.
-pub(super) fn twist(nodes: &[DVec3], columns: usize, ring: bool) -> f64 {
+pub(super) fn max_twist_between_rows(nodes: &[DVec3], columns: usize, ring: bool) -> f64 {
     let rows = nodes.len() / columns;
     let row = |k: usize| &nodes[(k % rows) * columns..(k % rows + 1) * columns];
     let pairs = if ring { rows } else { rows.saturating_sub(1) };
-    (0..pairs).map(|k| angle(row(k), row(k + 1)).abs()).fold(0.0, f64::max)
+    (0..pairs).map(|k| aligning_rotation_angle(row(k), row(k + 1)).abs()).fold(0.0, f64::max)
 }
 
-fn angle(p: &[DVec3], q: &[DVec3]) -> f64 {
+fn aligning_rotation_angle(p: &[DVec3], q: &[DVec3]) -> f64 {
     let n = p.len();
     let mean = |row: &[DVec3]| row.iter().map(|&v| v / n as f64).sum::<DVec3>();
     let (p0, q0) = (mean(p), mean(q));

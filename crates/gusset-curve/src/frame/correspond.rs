@@ -8,9 +8,11 @@
 
 use crate::curve::{CurveView, Place};
 
-use super::align::{Ring, anchor, start_fractions};
+use super::align::{AnchoredSection, farthest_from_mean, start_fractions};
 use super::axis::axis_frames;
-use super::corners::{add_corner_constraints, apportion, corners, match_corners, sharp_nodes};
+use super::corners::{
+    add_corner_constraints, apportion_parts, find_corners_of_sections, match_corners, nodes_with_sharp_turn,
+};
 use super::frame_options::{Correspondence, FrameOptions};
 use crate::identify::{Fit, Options, Outlines, fit};
 use crate::ops::Lengths;
@@ -35,9 +37,13 @@ pub(super) struct SectionNodes {
     pub(super) corners: Vec<u32>,
 }
 
-pub(super) fn correspond(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>) -> Result<SectionNodes> {
-    let rows = sections.check()?;
-    let corners = corners(sections, rows, options)?;
+pub(super) fn compute_section_nodes(
+    sections: &Outlines<'_>,
+    options: &FrameOptions<'_>,
+    job: &Job<'_>,
+) -> Result<SectionNodes> {
+    let rows = sections.check_offsets_and_constraints()?;
+    let corners = find_corners_of_sections(sections, rows, options)?;
     let constraints = add_corner_constraints(sections, &corners)?;
     // The given points already include the corners.
     let across = Options { corner_angle: PI, ..options.across };
@@ -52,33 +58,40 @@ pub(super) fn correspond(sections: &Outlines<'_>, options: &FrameOptions<'_>, jo
         corners: Vec::new(),
     };
     match options.correspondence {
-        Correspondence::Given => add_given(sections, &corners, &mut found)?,
+        Correspondence::Given => add_given_points(sections, &corners, &mut found)?,
         Correspondence::ArcLength { columns } => {
             found.reserve(columns)?;
             if sections.closed {
-                add_round(sections, &curves, &corners, options, &mut found, &job)?;
+                add_nodes_of_closed_sections(sections, &curves, &corners, options, &mut found, &job)?;
             } else {
-                add_across(sections, &curves, &corners, &mut found, &job)?;
+                add_nodes_of_open_sections(sections, &curves, &corners, &mut found, &job)?;
             }
         }
         Correspondence::Angle { columns, axis, reference } => {
             let frames = axis_frames(axis, reference, rows, options.ring)?;
             found.reserve(columns)?;
             for (k, &(point, [along, first, second])) in frames.iter().enumerate() {
-                let (curve, of_section) = (curve_of(&curves, k)?, job.share(k, rows));
+                let (curve, of_section) = (outline_curve(&curves, k)?, job.share(k, rows));
                 for i in 0..columns {
                     let angle = TAU * i as f64 / columns as f64;
                     let ray = first * libm::cos(angle) + second * libm::sin(angle);
-                    found.add_farthest(&curve, k, point, ray, along.cross(ray), &of_section.share(i, columns))?;
+                    found.add_farthest_crossing(
+                        &curve,
+                        k,
+                        point,
+                        ray,
+                        along.cross(ray),
+                        &of_section.share(i, columns),
+                    )?;
                 }
                 if !options.smooth_corners {
-                    let own = sharp_nodes(&found.nodes[k * columns..], sections.closed, &options.across)?;
+                    let own = nodes_with_sharp_turn(&found.nodes[k * columns..], sections.closed, &options.across)?;
                     alloc::extend(&mut found.corners, own.iter().map(|&i| (k * columns) as u32 + i))?;
                 }
             }
         }
         Correspondence::Landmarks { points, parts } => {
-            add_landmarks(sections, &curves, points, parts, &mut found, &job)?;
+            add_landmark_nodes(sections, &curves, points, parts, &mut found, &job)?;
             let each = points.len() / rows;
             for (place, landmark) in points.iter().enumerate() {
                 let (k, i) = (place / each, place % each);
@@ -91,7 +104,7 @@ pub(super) fn correspond(sections: &Outlines<'_>, options: &FrameOptions<'_>, jo
     Ok(found)
 }
 
-fn curve_of(curves: &Fit, k: usize) -> Result<CurveView<'_>> {
+fn outline_curve(curves: &Fit, k: usize) -> Result<CurveView<'_>> {
     let curve = curves.curve(k);
     if curve.is_empty() { Err(Error::NoNode { section: k as u32, column: 0 }) } else { Ok(curve) }
 }
@@ -107,7 +120,7 @@ impl SectionNodes {
 
     /// Adds the intersection of a section with the half-plane from the axis through `point` towards
     /// `ray`. It takes the intersection farthest from the axis.
-    fn add_farthest(
+    fn add_farthest_crossing(
         &mut self,
         curve: &CurveView<'_>,
         section: usize,
@@ -140,7 +153,7 @@ impl SectionNodes {
 
 /// Adds the nodes of closed sections at equal fractions of their lengths. They start where the
 /// sections are twisted least, or are spread between the corners that all sections share.
-fn add_round(
+fn add_nodes_of_closed_sections(
     sections: &Outlines<'_>,
     curves: &Fit,
     corners: &[Vec<u32>],
@@ -149,8 +162,8 @@ fn add_round(
     job: &Job<'_>,
 ) -> Result<()> {
     let (rows, columns) = (found.rows, found.columns);
-    let rings = rings(sections, curves, options, found, &job.part(0.0, 0.4))?;
-    let place = |k: usize, mark: u32| curves.place(sections.span(k).start + mark as usize);
+    let rings = orient_closed_sections(sections, curves, options, found, &job.part(0.0, 0.4))?;
+    let place = |k: usize, mark: u32| curves.place(sections.point_range(k).start + mark as usize);
     let mut along = alloc::collect(corners.iter().map(|_| Vec::new()))?;
     for (k, (along, own)) in along.iter_mut().zip(corners).enumerate() {
         alloc::append(along, own)?;
@@ -175,21 +188,30 @@ fn add_round(
             job.step(0.5 + 0.5 * k as f64 / rows as f64, "finding nodes")?;
             let total = ring.lengths.total();
             let whole = if ring.backwards { -total } else { total };
-            add_even(&ring.lengths, ring.place(start)?, whole, [columns, columns], true, &mut found.nodes)?;
+            add_evenly_spaced_nodes(
+                &ring.lengths,
+                ring.place_at_fraction(start)?,
+                whole,
+                [columns, columns],
+                true,
+                &mut found.nodes,
+            )?;
         }
         return Ok(());
     }
     let first = match options.given_starts {
         true => {
-            let far = alloc::try_collect(marks[0].iter().map(|&mark| rings[0].length_to(place(0, mark))))?;
+            let far = alloc::try_collect(marks[0].iter().map(|&mark| rings[0].length_from_anchor(place(0, mark))))?;
             (0..count).min_by(|&i, &j| far[i].total_cmp(&far[j])).unwrap_or(0)
         }
-        false => anchor(marks[0].iter().map(|&mark| sections.points.get(sections.span(0).start + mark as usize))),
+        false => farthest_from_mean(
+            marks[0].iter().map(|&mark| sections.points.get(sections.point_range(0).start + mark as usize)),
+        ),
     };
     marks.iter_mut().for_each(|marks| marks.rotate_left(first));
     // The interval of the section from each corner to the next.
     let span = |k: usize, i: usize| {
-        let [from, to] = [i, (i + 1) % count].map(|i| rings[k].length_to(place(k, marks[k][i])));
+        let [from, to] = [i, (i + 1) % count].map(|i| rings[k].length_from_anchor(place(k, marks[k][i])));
         let by = to? - from?;
         Ok(if by > 0.0 { by } else { by + rings[k].lengths.total() })
     };
@@ -198,35 +220,36 @@ fn add_round(
 
 /// Returns the closed sections, each oriented like the previous one instead of the first, because a
 /// body may be bent.
-fn rings<'a>(
+fn orient_closed_sections<'a>(
     sections: &Outlines<'_>,
     curves: &'a Fit,
     options: &FrameOptions<'_>,
     found: &mut SectionNodes,
     job: &Job<'_>,
-) -> Result<Vec<Ring<'a>>> {
+) -> Result<Vec<AnchoredSection<'a>>> {
     let mut rings = alloc::with_capacity(found.rows)?;
     let mut before = DVec3::ZERO;
     for k in 0..found.rows {
         job.step(k as f64 / found.rows as f64, "finding nodes")?;
-        let lengths = curve_of(curves, k)?.lengths(&job.share(k, found.rows))?;
+        let lengths = outline_curve(curves, k)?.lengths(&job.share(k, found.rows))?;
         let turn = section_normal(sections, k);
         let backwards = turn.dot(before) < 0.0;
         if turn != DVec3::ZERO {
             before = if backwards { -turn } else { turn };
         }
         found.turned[k] = backwards.into();
-        let span = sections.span(k);
-        let start = if options.given_starts { 0 } else { anchor(span.clone().map(|i| sections.points.get(i))) };
+        let span = sections.point_range(k);
+        let start =
+            if options.given_starts { 0 } else { farthest_from_mean(span.clone().map(|i| sections.points.get(i))) };
         let anchor = lengths.length_to(curves.place(span.start + start))?;
-        rings.push(Ring { lengths, anchor, backwards });
+        rings.push(AnchoredSection { lengths, anchor, backwards });
     }
     Ok(rings)
 }
 
 /// Adds the nodes of open sections at equal fractions of their lengths, or of the lengths between
 /// corners that all sections share.
-fn add_across(
+fn add_nodes_of_open_sections(
     sections: &Outlines<'_>,
     curves: &Fit,
     corners: &[Vec<u32>],
@@ -237,36 +260,43 @@ fn add_across(
     let mut rings = alloc::with_capacity(rows)?;
     for k in 0..rows {
         job.step(0.8 * k as f64 / rows as f64, "finding nodes")?;
-        let lengths = curve_of(curves, k)?.lengths(&job.part(0.0, 0.8).share(k, rows))?;
-        rings.push(Ring { lengths, anchor: 0.0, backwards: false });
+        let lengths = outline_curve(curves, k)?.lengths(&job.part(0.0, 0.8).share(k, rows))?;
+        rings.push(AnchoredSection { lengths, anchor: 0.0, backwards: false });
     }
     let mut marks = shared_corners(sections, corners, columns.saturating_sub(2), &job.part(0.8, 1.0))?;
     for (k, marks) in marks.iter_mut().enumerate() {
-        alloc::push(marks, sections.span(k).len() as u32 - 1)?;
+        alloc::push(marks, sections.point_range(k).len() as u32 - 1)?;
         marks.insert(0, 0);
     }
-    let at =
-        |k: usize, i: usize| rings[k].lengths.length_to(curves.place(sections.span(k).start + marks[k][i] as usize));
+    let at = |k: usize, i: usize| {
+        rings[k].lengths.length_to(curves.place(sections.point_range(k).start + marks[k][i] as usize))
+    };
     let span = |k: usize, i: usize| Ok(at(k, i + 1)? - at(k, i)?);
     add_nodes_between_landmarks(&marks, &rings, curves, sections, columns, &span, found)?;
     found.corners.retain(|&node| !matches!(node as usize % columns, i if i == 0 || i + 1 == columns));
     Ok(())
 }
 
-/// Returns the corners that all sections share, at most `most`; see [`match_corners`].
-fn shared_corners(sections: &Outlines<'_>, corners: &[Vec<u32>], most: usize, job: &Job<'_>) -> Result<Vec<Vec<u32>>> {
-    let points = |k: usize| sections.span(k).map(|i| sections.points.get(i));
+/// Returns the corners that all sections share, at most `max_count`; see [`match_corners`].
+fn shared_corners(
+    sections: &Outlines<'_>,
+    corners: &[Vec<u32>],
+    max_count: usize,
+    job: &Job<'_>,
+) -> Result<Vec<Vec<u32>>> {
+    let points = |k: usize| sections.point_range(k).map(|i| sections.points.get(i));
     let centre = |k: usize| points(k).map(|p| p / points(k).len() as f64).sum::<DVec3>();
     let centres = alloc::collect((0..corners.len()).map(centre))?;
-    let unit = unit_of(sections, corners, &centres)?;
-    let at = |k: usize, i: u32| sections.points.get(sections.span(k).start + i as usize) / unit - centres[k] / unit;
-    match_corners(corners, sections.closed, most, &at, job)
+    let unit = corner_distance_unit(sections, corners, &centres)?;
+    let at =
+        |k: usize, i: u32| sections.points.get(sections.point_range(k).start + i as usize) / unit - centres[k] / unit;
+    match_corners(corners, sections.closed, max_count, &at, job)
 }
 
 /// Returns a unit of length in which the squares of corner distances are in range.
-fn unit_of(sections: &Outlines<'_>, corners: &[Vec<u32>], centres: &[DVec3]) -> Result<f64> {
+fn corner_distance_unit(sections: &Outlines<'_>, corners: &[Vec<u32>], centres: &[DVec3]) -> Result<f64> {
     let of = |(k, own): (usize, &'_ Vec<u32>)| {
-        let first = sections.span(k).start;
+        let first = sections.point_range(k).start;
         own.iter().fold(DVec3::ZERO, move |most, &i| most.max(sections.points.get(first + i as usize).abs()))
     };
     let mut most = alloc::collect(corners.iter().enumerate().map(of))?;
@@ -278,7 +308,7 @@ fn unit_of(sections: &Outlines<'_>, corners: &[Vec<u32>], centres: &[DVec3]) -> 
 /// length. `span` returns interval i of section k.
 fn add_nodes_between_landmarks(
     marks: &[Vec<u32>],
-    rings: &[Ring<'_>],
+    rings: &[AnchoredSection<'_>],
     curves: &Fit,
     sections: &Outlines<'_>,
     columns: usize,
@@ -295,13 +325,13 @@ fn add_nodes_between_landmarks(
             *share += span(k, i)? / ring.lengths.total();
         }
     }
-    let counts = apportion(&shares, parts)?;
+    let counts = apportion_parts(&shares, parts)?;
     for (k, ring) in rings.iter().enumerate() {
-        let place = |i: usize| curves.place(sections.span(k).start + marks[k][i] as usize);
+        let place = |i: usize| curves.place(sections.point_range(k).start + marks[k][i] as usize);
         for (i, &parts) in counts.iter().enumerate() {
             alloc::push(&mut found.corners, found.nodes.len() as u32)?;
             let whole = if ring.backwards { -span(k, i)? } else { span(k, i)? };
-            add_even(&ring.lengths, place(i), whole, [parts, parts], sections.closed, &mut found.nodes)?;
+            add_evenly_spaced_nodes(&ring.lengths, place(i), whole, [parts, parts], sections.closed, &mut found.nodes)?;
         }
         if !sections.closed {
             found.nodes.push(ring.lengths.curve().point(place(intervals))?);
@@ -310,11 +340,11 @@ fn add_nodes_between_landmarks(
     Ok(())
 }
 
-fn add_given(sections: &Outlines<'_>, corners: &[Vec<u32>], found: &mut SectionNodes) -> Result<()> {
-    let columns = sections.columns(found.rows)?;
+fn add_given_points(sections: &Outlines<'_>, corners: &[Vec<u32>], found: &mut SectionNodes) -> Result<()> {
+    let columns = sections.points_per_outline(found.rows)?;
     found.reserve(columns)?;
     for (k, corners) in corners.iter().enumerate() {
-        found.nodes.extend(sections.span(k).map(|i| sections.points.get(i)));
+        found.nodes.extend(sections.point_range(k).map(|i| sections.points.get(i)));
         alloc::extend(&mut found.corners, corners.iter().map(|&corner| (k * columns) as u32 + corner))?;
     }
     Ok(())
@@ -322,7 +352,7 @@ fn add_given(sections: &Outlines<'_>, corners: &[Vec<u32>], found: &mut SectionN
 
 /// Returns the normal about which the polygon of a section turns, of length 1 or 0.
 fn section_normal(sections: &Outlines<'_>, k: usize) -> DVec3 {
-    let span = sections.span(k);
+    let span = sections.point_range(k);
     let start = sections.points.get(span.start);
     let seen = span.clone().map(|i| sections.points.get(i) * 0.25 - start * 0.25);
     let largest = seen.clone().fold(0.0, |m: f64, p| m.max(p.abs().max_element()));
@@ -336,7 +366,7 @@ fn section_normal(sections: &Outlines<'_>, k: usize) -> DVec3 {
 
 /// Adds `count` nodes from a place on. Consecutive nodes are `length` / `steps` apart, backwards if
 /// `length` is negative. A `closed` curve continues at its start.
-fn add_even(
+fn add_evenly_spaced_nodes(
     lengths: &Lengths<'_>,
     from: Place,
     whole: f64,
@@ -358,7 +388,7 @@ fn add_even(
 }
 
 /// Adds the landmarks of each section and the nodes between them.
-fn add_landmarks(
+fn add_landmark_nodes(
     sections: &Outlines<'_>,
     curves: &Fit,
     points: &[u32],
@@ -373,8 +403,8 @@ fn add_landmarks(
     let columns = if sections.closed { each.checked_mul(parts) } else { (each - 1).checked_mul(parts).map(|n| n + 1) };
     found.reserve(columns.unwrap_or(usize::MAX))?;
     for k in 0..found.rows {
-        let (curve, of_section) = (curve_of(curves, k)?, job.share(k, found.rows));
-        let span = sections.span(k);
+        let (curve, of_section) = (outline_curve(curves, k)?, job.share(k, found.rows));
+        let span = sections.point_range(k);
         let own = &points[k * each..(k + 1) * each];
         // The landmarks must be in order along the section. In a closed section the order may wrap
         // around once.
@@ -399,7 +429,7 @@ fn add_landmarks(
             if whole < 0.0 || each == 1 {
                 whole += lengths.total();
             }
-            add_even(&lengths, from, whole, [parts, parts], true, &mut found.nodes)?;
+            add_evenly_spaced_nodes(&lengths, from, whole, [parts, parts], true, &mut found.nodes)?;
         }
     }
     Ok(())

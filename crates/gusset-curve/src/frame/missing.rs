@@ -18,13 +18,13 @@ use gusset_base::error::{Element, Error, Result};
 use gusset_base::geom::scale::distance;
 
 /// A present node and its parameter.
-type Known = (f64, DVec3);
+type KnownNode = (f64, DVec3);
 
 /// The number of columns to either side that are searched for parameters.
-const NEARBY: usize = 64;
+const MAX_COLUMNS_SEARCHED_PER_SIDE: usize = 64;
 
 /// The sections as rows of nodes.
-struct Rows {
+struct SectionRows {
     nodes: Vec<[f64; 3]>,
     is_missing: Vec<bool>,
     rows: usize,
@@ -39,15 +39,15 @@ struct Rows {
 pub(super) fn fill_missing(sections: &Outlines<'_>, options: &FrameOptions<'_>) -> Result<(Vec<[f64; 3]>, Vec<u32>)> {
     let is_given = options.correspondence == Correspondence::Given;
     Error::require(is_given, "missing", options.missing.len() as f64)?;
-    let mut rows = Rows::new(sections, options)?;
-    let parameters = rows.parameters()?;
+    let mut rows = SectionRows::new(sections, options)?;
+    let parameters = rows.section_parameters()?;
     let mut present = Vec::new();
     for column in 0..rows.columns {
         present.clear();
         let all = (0..rows.rows).filter(|row| !rows.is_missing[row * rows.columns + column]);
         alloc::extend(&mut present, all)?;
         if present.len() < rows.rows {
-            rows.fill(column, &present, &parameters)?;
+            rows.fill_column(column, &present, &parameters)?;
         }
     }
     let all = (0..rows.nodes.len()).filter(|&node| rows.is_missing[node]);
@@ -55,10 +55,10 @@ pub(super) fn fill_missing(sections: &Outlines<'_>, options: &FrameOptions<'_>) 
     Ok((rows.nodes, filled))
 }
 
-impl Rows {
+impl SectionRows {
     fn new(sections: &Outlines<'_>, options: &FrameOptions<'_>) -> Result<Self> {
-        let rows = sections.check()?;
-        let columns = sections.columns(rows)?;
+        let rows = sections.check_offsets_and_constraints()?;
+        let columns = sections.points_per_outline(rows)?;
         let mut is_missing = alloc::filled(false, sections.points.len())?;
         for &point in options.missing {
             let Some(mark) = is_missing.get_mut(point as usize) else {
@@ -74,7 +74,7 @@ impl Rows {
             }
             nodes.push(point.to_array());
         }
-        Ok(Rows { nodes, is_missing, rows, columns, ring: options.ring, closed: sections.closed })
+        Ok(SectionRows { nodes, is_missing, rows, columns, ring: options.ring, closed: sections.closed })
     }
 
     fn node(&self, row: usize, column: usize) -> Option<DVec3> {
@@ -83,7 +83,7 @@ impl Rows {
     }
 
     /// Returns the parameters of the sections, and of the first one after the last of a ring.
-    fn parameters(&self) -> Result<Vec<f64>> {
+    fn section_parameters(&self) -> Result<Vec<f64>> {
         let mut steps = alloc::filled(0.0, self.rows)?;
         for (row, step) in steps.iter_mut().enumerate() {
             let next = (row + 1) % self.rows;
@@ -112,7 +112,7 @@ impl Rows {
         let mut sum = alloc::filled(0.0, count)?;
         let mut found = false;
         for backwards in [false, true] {
-            let away = (1..=NEARBY.min(self.columns - 1)).filter_map(|step| {
+            let away = (1..=MAX_COLUMNS_SEARCHED_PER_SIDE.min(self.columns - 1)).filter_map(|step| {
                 let within = if backwards { step <= column } else { column + step < self.columns };
                 let other = column + if backwards { self.columns - step } else { step };
                 (within || self.closed).then_some(other % self.columns)
@@ -136,7 +136,7 @@ impl Rows {
     }
 
     /// Fills the nodes of a column whose rows are not `present`.
-    fn fill(&mut self, column: usize, present: &[usize], parameters: &[f64]) -> Result<()> {
+    fn fill_column(&mut self, column: usize, present: &[usize], parameters: &[f64]) -> Result<()> {
         let (count, all) = (present.len() as isize, self.rows as isize);
         // Indexes the present nodes, cyclically in a ring, and returns their rows.
         let known = |k: isize| {
@@ -160,7 +160,11 @@ impl Rows {
                 None => parameters[row.rem_euclid(all) as usize] + row.div_euclid(all) as f64 * parameters[self.rows],
             };
             let at = |(row, node): (isize, DVec3)| (parameter(row), node);
-            let node = catmull_rom([before, after].map(at), outer.map(|node| node.map(at)), parameter(row as isize));
+            let node = interpolate_catmull_rom(
+                [before, after].map(at),
+                outer.map(|node| node.map(at)),
+                parameter(row as isize),
+            );
             alloc::push(&mut found, (row, node))?;
         }
         for (row, node) in found {
@@ -172,8 +176,8 @@ impl Rows {
 
 /// Returns the point at parameter x of the curve through the nodes before and after x and their
 /// outer neighbours. Either outer neighbour may be absent.
-fn catmull_rom([(b, p), (c, q)]: [Known; 2], [first, last]: [Option<Known>; 2], x: f64) -> DVec3 {
-    let between = |(a, p): Known, (b, q): Known| p.lerp(q, (x - a) / (b - a));
+fn interpolate_catmull_rom([(b, p), (c, q)]: [KnownNode; 2], [first, last]: [Option<KnownNode>; 2], x: f64) -> DVec3 {
+    let between = |(a, p): KnownNode, (b, q): KnownNode| p.lerp(q, (x - a) / (b - a));
     let middle = between((b, p), (c, q));
     let left = first.map(|(a, o)| between((a, between((a, o), (b, p))), (c, middle)));
     let right = last.map(|(d, r)| between((b, middle), (d, between((c, q), (d, r)))));

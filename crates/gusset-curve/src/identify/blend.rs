@@ -19,41 +19,45 @@
 //! blend; C. Yuksel, 2020, for blends that keep second derivatives, there trigonometric.
 
 use super::identify_options::Mode;
-use super::method::{Method, section_at};
+use super::method::{Method, section_at_parameter};
 use super::report::PointStatus;
-use super::solution::Solution;
-use super::subcurve::{Output, Subcurve};
+use super::solution::CompositeSolution;
+use super::subcurve::{Subcurve, SubcurveOutput};
 use gusset_base::error::Result;
 
 /// The sine of the angle between the legs below which the outline counts as reversing.
 const MAX_REVERSAL_SINE: f64 = 1e-9;
 
 /// Appends the blended curve of a subcurve's points.
-pub(super) fn append(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Output<'_>) -> Result<()> {
+pub(super) fn append_blended_curve(
+    sub: &Subcurve<'_>,
+    solution: &mut CompositeSolution,
+    out: &mut SubcurveOutput<'_>,
+) -> Result<()> {
     let (points, n, method) = (sub.points, sub.len(), sub.options.method);
     solution.resize(n)?;
     let (controls, parameters) = (&mut solution.controls, &mut solution.t);
-    for i in sub.sections() {
-        let [a, p, c] = sub.triple(i);
+    for i in sub.section_indices() {
+        let [a, p, c] = sub.point_and_neighbours(i);
         let (u, w) = (a - p, c - p);
         if u.dot(w) > 0.0 && u.cross(w).length() <= MAX_REVERSAL_SINE * u.length() * w.length() {
-            out.results[i].flag(PointStatus::Cusp);
+            out.results[i].flag_status(PointStatus::Cusp);
         }
-        let t = method.parameter(a, p, c).or_else(|status| {
-            out.results[i].flag(status);
-            Method::Bisector.parameter(a, p, c)
+        let t = method.section_parameter(a, p, c).or_else(|status| {
+            out.results[i].flag_status(status);
+            Method::Bisector.section_parameter(a, p, c)
         });
-        let section = t.and_then(|t| section_at(a, p, c, t)).or_else(|status| {
+        let section = t.and_then(|t| section_at_parameter(a, p, c, t)).or_else(|status| {
             // The point is so close to its neighbour that only the median works.
-            out.results[i].flag(status);
-            section_at(a, p, c, 0.5)
+            out.results[i].flag_status(status);
+            section_at_parameter(a, p, c, 0.5)
         });
         if let Ok(section) = section {
             (controls[i], parameters[i]) = (section.control, section.t);
         }
     }
-    out.builder.begin(points[0])?;
-    for i in sub.spans() {
+    out.builder.begin_at_point(points[0])?;
+    for i in sub.span_indices() {
         let next = sub.next(i);
         let (p, q) = (points[i], points[next]);
         let half = 0.5 * p.distance(q);
@@ -64,12 +68,12 @@ pub(super) fn append(sub: &Subcurve<'_>, solution: &mut Solution, out: &mut Outp
         let middle = p.midpoint(q);
         let (x, y) = (x.or(y).unwrap_or(middle), y.or(x).unwrap_or(middle));
         if sub.options.mode == Mode::BlendC1 {
-            out.push_span(sub, i, &[(p + x * 2.0) / 3.0, (y * 2.0 + q) / 3.0, q])?;
+            out.push_span_segment(sub, i, &[(p + x * 2.0) / 3.0, (y * 2.0 + q) / 3.0, q])?;
             continue;
         }
         let (first, second) = ((p * 3.0 + x * 2.0) / 5.0, (p * 3.0 + x * 6.0 + q) / 10.0);
         let (third, fourth) = ((p + y * 6.0 + q * 3.0) / 10.0, (y * 2.0 + q * 3.0) / 5.0);
-        out.push_span(sub, i, &[first, second, third, fourth, q])?;
+        out.push_span_segment(sub, i, &[first, second, third, fourth, q])?;
     }
     Ok(())
 }

@@ -8,11 +8,11 @@ use super::composite::{self, CompositeWorkspace};
 use super::curve_builder::CurveBuilder;
 use super::fit::Fit;
 use super::identify_options::{JointParameter, Mode, Options};
-use super::nodes::Nodes;
+use super::nodes::OutlineNodes;
 use super::outlines::{Constraint, Outlines};
-use super::report::{Account, FitStatus, PointStatus, Report};
+use super::report::{FitStatus, PointStatus, Report, ReportInProgress};
 use super::single::{self, Collocation};
-use super::subcurve::{Output, PointResult, Subcurve};
+use super::subcurve::{PointResult, Subcurve, SubcurveOutput};
 use super::{blend, cubic_spline, residuals};
 use crate::curve::Place;
 use glam::DVec3;
@@ -45,34 +45,34 @@ const BATCHES_PER_REPORT: usize = 32;
 ///
 /// Source: Nadopta; the composite and blended readings of the set of sections are ours.
 pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<Fit> {
-    options.check()?;
-    let options = &options.resolved();
-    let batches = batches(outlines, outlines.check()?)?;
-    let threads = par::at_most(batches.len(), job.threads());
-    let mut whole = Worker::new(outlines, options);
+    options.check_ranges()?;
+    let options = &options.with_chain_mode_replaced();
+    let batches = divide_into_batches(outlines, outlines.check_offsets_and_constraints()?)?;
+    let threads = par::resolve_thread_count(batches.len(), job.threads());
+    let mut whole = OutlineWorker::new(outlines, options);
     if let (Some(first), Some(last)) = (batches.first(), batches.last()) {
-        whole.reserve(first.start..last.end)?;
+        whole.reserve_results(first.start..last.end)?;
     }
     if threads == 1 {
         for (k, batch) in batches.iter().enumerate() {
             let part = job.share(k, batches.len());
             part.step(0.0, STAGE)?;
-            whole.identify_all(batch.clone(), &part)?;
+            whole.identify_batch(batch.clone(), &part)?;
         }
     } else {
         // Rounds reuse the workers' memory, and the host can cancel between rounds.
         let idle = Mutex::new(Vec::new());
-        let work = |batch: Range<usize>, job: &Job<'_>| -> Result<Worker<'_>> {
+        let work = |batch: Range<usize>, job: &Job<'_>| -> Result<OutlineWorker<'_>> {
             let free = lock(&idle).pop();
-            let mut worker = free.unwrap_or_else(|| Worker::new(outlines, options));
-            worker.identify_all(batch, job)?;
+            let mut worker = free.unwrap_or_else(|| OutlineWorker::new(outlines, options));
+            worker.identify_batch(batch, job)?;
             Ok(worker)
         };
         for (k, round) in batches.chunks(BATCHES_PER_REPORT).enumerate() {
             let part = |batch: usize| batch.min(batches.len()) as f64 / batches.len() as f64;
             let part = job.part(part(k * BATCHES_PER_REPORT), part((k + 1) * BATCHES_PER_REPORT));
             for mut worker in par::map_jobs(&part, STAGE, round.iter().cloned(), work)? {
-                whole.done.append(&mut worker.done)?;
+                whole.done.append_fit(&mut worker.done)?;
                 lock(&idle).push(worker);
             }
         }
@@ -86,11 +86,11 @@ const STAGE: &str = "identifying outlines";
 const POINTS_PER_REPORT: usize = 1 << 17;
 
 /// Divides the outlines into batches of about [`POINTS_PER_BATCH`] points.
-fn batches(outlines: &Outlines<'_>, count: usize) -> Result<Vec<Range<usize>>> {
+fn divide_into_batches(outlines: &Outlines<'_>, count: usize) -> Result<Vec<Range<usize>>> {
     let mut batches: Vec<Range<usize>> = Vec::new();
     let mut points = 0;
     for k in 0..count {
-        let more = outlines.span(k).len();
+        let more = outlines.point_range(k).len();
         match batches.last_mut() {
             Some(batch) if points + more <= POINTS_PER_BATCH && batch.len() < POINTS_PER_BATCH => batch.end = k + 1,
             _ => {
@@ -104,25 +104,25 @@ fn batches(outlines: &Outlines<'_>, count: usize) -> Result<Vec<Range<usize>>> {
 }
 
 /// One thread's worker, with the memory that it reuses for each outline.
-struct Worker<'a> {
+struct OutlineWorker<'a> {
     outlines: &'a Outlines<'a>,
     options: &'a Options,
     /// The constraints of the remaining outlines.
     constraints: &'a [Constraint],
-    nodes: Nodes,
+    nodes: OutlineNodes,
     composite: CompositeWorkspace,
     single: Collocation,
     builder: CurveBuilder,
     done: Fit,
 }
 
-impl<'a> Worker<'a> {
+impl<'a> OutlineWorker<'a> {
     fn new(outlines: &'a Outlines<'a>, options: &'a Options) -> Self {
-        Worker {
+        OutlineWorker {
             outlines,
             options,
             constraints: &[],
-            nodes: Nodes::default(),
+            nodes: OutlineNodes::default(),
             composite: CompositeWorkspace::default(),
             single: Collocation::default(),
             builder: CurveBuilder::default(),
@@ -131,8 +131,8 @@ impl<'a> Worker<'a> {
     }
 
     /// Makes room for the results of some outlines.
-    fn reserve(&mut self, batch: Range<usize>) -> Result<()> {
-        let points = self.outlines.span(batch.start).start..self.outlines.span(batch.end - 1).end;
+    fn reserve_results(&mut self, batch: Range<usize>) -> Result<()> {
+        let points = self.outlines.point_range(batch.start).start..self.outlines.point_range(batch.end - 1).end;
         let expected = points.len() + 2 * batch.len();
         let per_segment = match self.options.mode {
             Mode::Composite | Mode::Chain if self.options.joint == JointParameter::G2 => 3,
@@ -150,64 +150,64 @@ impl<'a> Worker<'a> {
         alloc::reserve(&mut done.reports, batch.len())
     }
 
-    fn identify_all(&mut self, batch: Range<usize>, job: &Job<'_>) -> Result<()> {
-        let first = self.outlines.span(batch.start).start;
+    fn identify_batch(&mut self, batch: Range<usize>, job: &Job<'_>) -> Result<()> {
+        let first = self.outlines.point_range(batch.start).start;
         let from = self.outlines.constraints.partition_point(|constraint| (constraint.point as usize) < first);
         self.constraints = &self.outlines.constraints[from..];
-        batch.into_iter().try_for_each(|k| self.identify(k, job))
+        batch.into_iter().try_for_each(|k| self.identify_outline(k, job))
     }
 
-    fn identify(&mut self, k: usize, job: &Job<'_>) -> Result<()> {
-        let span = self.outlines.span(k);
+    fn identify_outline(&mut self, k: usize, job: &Job<'_>) -> Result<()> {
+        let span = self.outlines.point_range(k);
         let own = self.constraints.partition_point(|constraint| (constraint.point as usize) < span.end);
         let (own, rest) = self.constraints.split_at(own);
         self.constraints = rest;
         // Long outlines report progress between the passes over their points.
         let long = |fraction| if span.len() < POINTS_PER_REPORT { Ok(()) } else { job.step(fraction, STAGE) };
-        self.nodes.read(self.outlines, &span, own, self.options)?;
+        self.nodes.read_and_cut(self.outlines, &span, own, self.options)?;
         long(0.0)?;
         let (base, first_status) = (self.done.points.len(), self.done.statuses.len());
         let placement = self.nodes.placement;
         let size = placement.size * placement.unit;
         let report = Report { size, ..Report::default() };
-        let mut report = Account { report, history: self.options.history.then(Vec::new) };
+        let mut report = ReportInProgress { report, history: self.options.history.then(Vec::new) };
         let quadratic = self.options.mode == Mode::Composite && self.options.joint != JointParameter::G2;
         if self.nodes.cuts.is_empty() && quadratic {
-            self.identify_smooth(&span, base, &mut report, job)?;
+            self.identify_closed_without_cuts(&span, base, &mut report, job)?;
         } else {
-            self.solve(&mut report, job)?;
+            self.solve_subcurves(&mut report, job)?;
             long(1.0)?;
-            residuals::measure(&self.nodes, &self.builder, &mut report);
+            residuals::measure_residuals(&self.nodes, &self.builder, &mut report);
             if self.options.mode == Mode::Composite && !quadratic && !self.builder.is_empty() {
-                residuals::measure_curvatures(&mut self.nodes, &self.builder, &mut report);
+                residuals::measure_curvature_gaps(&mut self.nodes, &self.builder, &mut report);
             }
             long(1.0)?;
-            self.deliver(&span, base)?;
+            self.append_curve_and_places(&span, base)?;
         }
         long(1.0)?;
-        self.check_range(&span, base, first_status, &mut report)?;
-        self.account(first_status, report)
+        self.withdraw_overflowing_curve(&span, base, first_status, &mut report)?;
+        self.append_report(first_status, report)
     }
 
     /// Finds the curve, near the origin, subcurve by subcurve.
-    fn solve(&mut self, report: &mut Account, job: &Job<'_>) -> Result<()> {
+    fn solve_subcurves(&mut self, report: &mut ReportInProgress, job: &Job<'_>) -> Result<()> {
         self.builder.clear();
         let n = self.nodes.points.len();
         if n < 2 || (self.outlines.closed && n < 3) {
-            return self.solve_too_few(report);
+            return self.solve_one_or_two_nodes(report);
         }
         if self.nodes.cuts.is_empty() {
             let (sub, results) = self.nodes.as_subcurve(self.options);
-            let mut out = Output { results, report, builder: &mut self.builder, job };
-            return append(&sub, &mut self.composite, &mut self.single, &mut out);
+            let mut out = SubcurveOutput { results, report, builder: &mut self.builder, job };
+            return append_subcurve_curve(&sub, &mut self.composite, &mut self.single, &mut out);
         }
         for k in 0..self.nodes.cuts.len() - 1 {
             if k > 0 && self.nodes.cuts[k].tangent.is_none() {
                 self.builder.mark_corner()?;
             }
             let (sub, results) = self.nodes.subcurve_after_cut(k, self.options);
-            let mut out = Output { results, report, builder: &mut self.builder, job };
-            append(&sub, &mut self.composite, &mut self.single, &mut out)?;
+            let mut out = SubcurveOutput { results, report, builder: &mut self.builder, job };
+            append_subcurve_curve(&sub, &mut self.composite, &mut self.single, &mut out)?;
         }
         if self.nodes.closed && self.nodes.cuts[0].tangent.is_none() {
             self.builder.mark_corner()?;
@@ -222,16 +222,16 @@ impl<'a> Worker<'a> {
     }
 
     /// Treats an outline of one or two nodes as a point, or as a line there and back.
-    fn solve_too_few(&mut self, report: &mut Report) -> Result<()> {
+    fn solve_one_or_two_nodes(&mut self, report: &mut Report) -> Result<()> {
         report.status = FitStatus::TooFewPoints;
-        let Nodes { points, results, .. } = &mut self.nodes;
+        let OutlineNodes { points, results, .. } = &mut self.nodes;
         results.iter_mut().for_each(|result| result.status = PointStatus::Missed);
         if let Some(&point) = points.first() {
-            self.builder.begin(point)?;
+            self.builder.begin_at_point(point)?;
         }
         if let &[p, q] = points.as_slice() {
-            self.builder.push(&[q])?;
-            self.builder.push(&[p])?;
+            self.builder.push_segment(&[q])?;
+            self.builder.push_segment(&[p])?;
             results[0] = PointResult::default();
             results[1] = PointResult { place: Place { segment: 0, t: 1.0 }, ..PointResult::default() };
         }
@@ -240,18 +240,24 @@ impl<'a> Worker<'a> {
 
     /// Finds the composite curve of a closed outline without cuts, and writes it at the outline's
     /// position.
-    fn identify_smooth(&mut self, span: &Range<usize>, base: usize, report: &mut Account, job: &Job<'_>) -> Result<()> {
+    fn identify_closed_without_cuts(
+        &mut self,
+        span: &Range<usize>,
+        base: usize,
+        report: &mut ReportInProgress,
+        job: &Job<'_>,
+    ) -> Result<()> {
         let placement = self.nodes.placement;
         let (sub, results) = self.nodes.as_subcurve(self.options);
-        let mut out = Output { results, report, builder: &mut self.builder, job };
-        composite::solve(&sub, &mut self.composite, &mut out)?;
+        let mut out = SubcurveOutput { results, report, builder: &mut self.builder, job };
+        composite::solve_composite_curve(&sub, &mut self.composite, &mut out)?;
         if span.len() >= POINTS_PER_REPORT {
             job.step(1.0, STAGE)?;
         }
         let (n, solution, done) = (sub.len(), &*self.composite.solution(), &mut self.done);
         alloc::grow(&mut done.points, base + 2 * n + 1, DVec3::ZERO)?;
         let place = |p: DVec3| p * placement.unit + placement.origin;
-        composite::write_closed(&sub, solution, place, &mut done.points[base..], report);
+        composite::write_closed_curve(&sub, solution, place, &mut done.points[base..], report);
         alloc::reserve(&mut done.ends, n + 1)?;
         done.ends.extend((0..=n as u32).map(|k| 2 * k));
         alloc::push(&mut done.starts, [done.points.len(), done.ends.len()])?;
@@ -277,7 +283,7 @@ impl<'a> Worker<'a> {
     }
 
     /// Appends the curve at the outline's position, and the places of its points.
-    fn deliver(&mut self, span: &Range<usize>, base: usize) -> Result<()> {
+    fn append_curve_and_places(&mut self, span: &Range<usize>, base: usize) -> Result<()> {
         let (done, builder, nodes, placement) = (&mut self.done, &self.builder, &self.nodes, self.nodes.placement);
         alloc::reserve(&mut done.points, builder.points.len())?;
         done.points.extend(builder.points.iter().map(|&p| p * placement.unit + placement.origin));
@@ -311,7 +317,13 @@ impl<'a> Worker<'a> {
 
     /// Withdraws a curve whose control points overflow although its points do not. This can happen
     /// at any size, because control points may be far out where points are close together.
-    fn check_range(&mut self, span: &Range<usize>, base: usize, first: usize, report: &mut Report) -> Result<()> {
+    fn withdraw_overflowing_curve(
+        &mut self,
+        span: &Range<usize>,
+        base: usize,
+        first: usize,
+        report: &mut Report,
+    ) -> Result<()> {
         let done = &mut self.done;
         if done.points[base..].iter().all(|p| p.is_finite()) {
             return Ok(());
@@ -331,7 +343,7 @@ impl<'a> Worker<'a> {
     }
 
     /// Counts the statuses from `first` on.
-    fn account(&mut self, first: usize, mut report: Account) -> Result<()> {
+    fn append_report(&mut self, first: usize, mut report: ReportInProgress) -> Result<()> {
         let done = &mut self.done;
         let mut partial = false;
         for status in &done.statuses[first..] {
@@ -348,19 +360,19 @@ impl<'a> Worker<'a> {
 }
 
 /// Appends the curve of a subcurve's points.
-fn append(
+fn append_subcurve_curve(
     sub: &Subcurve<'_>,
     composite: &mut CompositeWorkspace,
     single: &mut Collocation,
-    out: &mut Output<'_>,
+    out: &mut SubcurveOutput<'_>,
 ) -> Result<()> {
     // Iterations are counted for each part; the report has the maximum.
     let before = std::mem::take(&mut out.report.iterations);
     match sub.options.mode {
-        Mode::BlendC1 | Mode::BlendC2 => blend::append(sub, composite.solution(), out),
-        Mode::CubicC2 => cubic_spline::append(sub, composite.solution(), out),
-        Mode::Single => single::append(sub, single, composite, out),
-        Mode::Composite | Mode::Chain => composite::append(sub, composite, out),
+        Mode::BlendC1 | Mode::BlendC2 => blend::append_blended_curve(sub, composite.solution(), out),
+        Mode::CubicC2 => cubic_spline::append_cubic_spline(sub, composite.solution(), out),
+        Mode::Single => single::append_single_curve(sub, single, composite, out),
+        Mode::Composite | Mode::Chain => composite::append_composite_curve(sub, composite, out),
     }?;
     out.report.iterations = out.report.iterations.max(before);
     Ok(())

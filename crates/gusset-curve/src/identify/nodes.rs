@@ -15,7 +15,7 @@ use std::ops::Range;
 
 /// The nodes of one outline; outlines reuse the memory.
 #[derive(Default)]
-pub(super) struct Nodes {
+pub(super) struct OutlineNodes {
     /// The points that differ from their neighbours. A closed outline with cuts begins at its first
     /// cut and repeats that point at the end.
     pub(super) points: Vec<DVec3>,
@@ -24,14 +24,14 @@ pub(super) struct Nodes {
     /// The outcome at each node.
     pub(super) results: Vec<PointResult>,
     /// Nodes where the outline is cut or ends, and the directions there.
-    pub(super) cuts: Vec<Cut>,
+    pub(super) cuts: Vec<CutNode>,
     /// Whether the nodes form a closed outline; two nodes do not.
     pub(super) closed: bool,
-    pub(super) placement: Placement,
+    pub(super) placement: OutlinePlacement,
 }
 
 #[derive(Clone, Copy)]
-pub(super) struct Cut {
+pub(super) struct CutNode {
     pub(super) node: u32,
     /// The unit tangent.
     pub(super) tangent: Option<DVec3>,
@@ -39,7 +39,7 @@ pub(super) struct Cut {
 
 /// The position of an outline: point = origin + unit * node.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Placement {
+pub(super) struct OutlinePlacement {
     pub(super) origin: DVec3,
     /// A power of two.
     pub(super) unit: f64,
@@ -48,9 +48,9 @@ pub(super) struct Placement {
     pub(super) size: f64,
 }
 
-impl Nodes {
+impl OutlineNodes {
     /// Reads the nodes of some points, and cuts them.
-    pub(super) fn read(
+    pub(super) fn read_and_cut(
         &mut self,
         outlines: &Outlines<'_>,
         span: &Range<usize>,
@@ -59,17 +59,17 @@ impl Nodes {
     ) -> Result<()> {
         self.normalise_points(outlines, span, options.repeat_tolerance)?;
         self.closed = outlines.closed && self.points.len() > 2;
-        self.cut(span, constraints, options)
+        self.find_cuts(span, constraints, options)
     }
 
     /// Moves the points near the origin, scales them to a size near 1, and merges repetitions.
     fn normalise_points(&mut self, outlines: &Outlines<'_>, span: &Range<usize>, repeat_tolerance: f64) -> Result<()> {
-        let Nodes { points, point_nodes, .. } = self;
+        let OutlineNodes { points, point_nodes, .. } = self;
         points.clear();
         point_nodes.clear();
         alloc::reserve(points, span.len() + 1)?;
         alloc::reserve(point_nodes, span.len())?;
-        outlines.points.read(span.clone(), points);
+        outlines.points.append_range_to(span.clone(), points);
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         // The sum of zeros is 0 unless a coordinate is not finite.
         let mut zeros = DVec3::ZERO;
@@ -86,7 +86,7 @@ impl Nodes {
             points.truncate(1);
             points.iter_mut().for_each(|p| *p = DVec3::ZERO);
             point_nodes.resize(span.len(), 0);
-            self.placement = Placement { origin, unit: 1.0, size: 0.0 };
+            self.placement = OutlinePlacement { origin, unit: 1.0, size: 0.0 };
             return Ok(());
         }
         // Exact: the scale is a power of two, far from the ends of the range.
@@ -96,27 +96,27 @@ impl Nodes {
         // If the box is far larger than the unit, only repetitions are omitted.
         let shift = origin * scale;
         points.iter_mut().for_each(|p| *p = *p * scale - shift);
-        self.placement = Placement { origin, unit, size };
-        self.merge_repeats(outlines.closed, (repeat_tolerance * size).powi(2));
+        self.placement = OutlinePlacement { origin, unit, size };
+        self.merge_repeated_points(outlines.closed, (repeat_tolerance * size).powi(2));
         Ok(())
     }
 
-    /// Merges neighbours whose squared distance is at most `near`.
-    fn merge_repeats(&mut self, closed: bool, near: f64) {
-        let Nodes { points, point_nodes, .. } = self;
+    /// Merges neighbours whose squared distance is at most `max_squared_distance`.
+    fn merge_repeated_points(&mut self, closed: bool, max_squared_distance: f64) {
+        let OutlineNodes { points, point_nodes, .. } = self;
         point_nodes.extend(0..points.len() as u32);
         let mut count = points.len();
-        if points.windows(2).any(|pair| pair[0].distance_squared(pair[1]) <= near) {
+        if points.windows(2).any(|pair| pair[0].distance_squared(pair[1]) <= max_squared_distance) {
             count = 1;
             for i in 1..points.len() {
-                if points[i].distance_squared(points[count - 1]) > near {
+                if points[i].distance_squared(points[count - 1]) > max_squared_distance {
                     points[count] = points[i];
                     count += 1;
                 }
                 point_nodes[i] = count as u32 - 1;
             }
         }
-        while closed && count > 1 && points[count - 1].distance_squared(points[0]) <= near {
+        while closed && count > 1 && points[count - 1].distance_squared(points[0]) <= max_squared_distance {
             count -= 1;
         }
         let closing = point_nodes.partition_point(|&node| (node as usize) < count);
@@ -126,7 +126,7 @@ impl Nodes {
 
     /// Finds the nodes that divide the outline into separately fitted subcurves. Rotates a closed
     /// outline so that it begins at such a node.
-    fn cut(&mut self, span: &Range<usize>, constraints: &[Constraint], options: &Options) -> Result<()> {
+    fn find_cuts(&mut self, span: &Range<usize>, constraints: &[Constraint], options: &Options) -> Result<()> {
         self.cuts.clear();
         self.results.clear();
         alloc::reserve(&mut self.results, self.points.len() + 1)?;
@@ -134,17 +134,17 @@ impl Nodes {
         for constraint in constraints {
             let node = self.point_nodes[constraint.point as usize - span.start];
             let given = constraint.kind.tangent();
-            let tangent = given.and_then(direction);
+            let tangent = given.and_then(unit_direction);
             if given.is_some() && tangent.is_none() {
                 self.results[node as usize].status = PointStatus::NoTangent;
                 continue;
             }
-            alloc::push(&mut self.cuts, Cut { node, tangent })?;
+            alloc::push(&mut self.cuts, CutNode { node, tangent })?;
         }
-        self.cut_corners(options.corner_angle)?;
+        self.add_corner_cuts(options.corner_angle)?;
         let last = self.points.len().saturating_sub(1) as u32;
         if !self.closed {
-            alloc::append(&mut self.cuts, &[0, last].map(|node| Cut { node, tangent: None }))?;
+            alloc::append(&mut self.cuts, &[0, last].map(|node| CutNode { node, tangent: None }))?;
         }
         // The first of several cuts at a node counts.
         sort::stable(&mut self.cuts, &|x, y| x.node.cmp(&y.node));
@@ -157,13 +157,13 @@ impl Nodes {
             self.results.push(self.results[0]);
             self.point_nodes.iter_mut().for_each(|node| *node = (*node + n - first.node) % n);
             self.cuts.iter_mut().for_each(|cut| cut.node -= first.node);
-            alloc::push(&mut self.cuts, Cut { node: n, ..first })?;
+            alloc::push(&mut self.cuts, CutNode { node: n, ..first })?;
         }
         Ok(())
     }
 
     /// Adds the nodes where the polygon turns by more than an angle.
-    fn cut_corners(&mut self, angle: f64) -> Result<()> {
+    fn add_corner_cuts(&mut self, angle: f64) -> Result<()> {
         let n = self.points.len();
         if angle >= std::f64::consts::PI || n < 3 {
             return Ok(());
@@ -175,7 +175,7 @@ impl Nodes {
             let (u, v) = (p - a, c - p);
             u.dot(v) < min_cosine * u.length() * v.length()
         };
-        let corners = inner.filter(is_corner).map(|i| Cut { node: i as u32, tangent: None });
+        let corners = inner.filter(is_corner).map(|i| CutNode { node: i as u32, tangent: None });
         alloc::extend(&mut self.cuts, corners)
     }
 
@@ -197,19 +197,19 @@ impl Nodes {
         let tangents = [from.tangent, to.tangent];
         let size = self.placement.size;
         let mut sub = Subcurve { points: &self.points[nodes], closed: false, tangents, size, options };
-        set_free_ends(&mut sub, results);
+        set_free_end_directions(&mut sub, results);
         (sub, results)
     }
 }
 
 /// Returns a unit vector; `None` if the vector lacks a direction.
-fn direction(tangent: DVec3) -> Option<DVec3> {
+fn unit_direction(tangent: DVec3) -> Option<DVec3> {
     let largest = tangent.abs().max_element();
     (largest > 0.0).then(|| (tangent * (1.0 / largest).min(f64::MAX)).normalize())
 }
 
 /// Gives the free ends of a subcurve the directions of the options.
-fn set_free_ends(sub: &mut Subcurve<'_>, results: &mut [PointResult]) {
+fn set_free_end_directions(sub: &mut Subcurve<'_>, results: &mut [PointResult]) {
     let (ends, last) = (sub.options.ends, sub.len() - 1);
     if ends == Ends::Free {
         return;
@@ -229,18 +229,18 @@ fn set_free_ends(sub: &mut Subcurve<'_>, results: &mut [PointResult]) {
                 continue;
             }
             Ends::Free | Ends::Perpendicular => across.normalize(),
-            Ends::Level => axis_towards(DVec3::X, leg, chord),
-            Ends::Upright => axis_towards(DVec3::Y, leg, chord),
+            Ends::Level => orient_axis_towards(DVec3::X, leg, chord),
+            Ends::Upright => orient_axis_towards(DVec3::Y, leg, chord),
             // The farther the chord is from an axis, the closer its perpendicular is to the axis.
-            Ends::LevelOrUpright if chord.x.abs() < chord.y.abs() => axis_towards(DVec3::X, leg, chord),
-            Ends::LevelOrUpright => axis_towards(DVec3::Y, leg, chord),
+            Ends::LevelOrUpright if chord.x.abs() < chord.y.abs() => orient_axis_towards(DVec3::X, leg, chord),
+            Ends::LevelOrUpright => orient_axis_towards(DVec3::Y, leg, chord),
         };
         sub.tangents[end] = Some(inwards * sign);
     }
 }
 
 /// Returns an axis in the direction of a leg, or of the chord if the leg is perpendicular.
-fn axis_towards(axis: DVec3, leg: DVec3, chord: DVec3) -> DVec3 {
+fn orient_axis_towards(axis: DVec3, leg: DVec3, chord: DVec3) -> DVec3 {
     let sense = if leg.dot(axis) == 0.0 { chord.dot(axis) } else { leg.dot(axis) };
     if sense < 0.0 { -axis } else { axis }
 }

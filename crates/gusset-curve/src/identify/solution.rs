@@ -9,7 +9,7 @@ use gusset_base::error::Result;
 /// The parameters, joint parameters and control points of a composite curve. Other curves use the
 /// lists for their own unknowns.
 #[derive(Default)]
-pub(super) struct Solution {
+pub(super) struct CompositeSolution {
     /// The parameter of each point on its section.
     pub(super) t: Vec<f64>,
     /// The parameter by the data's own triangle, as the fallback.
@@ -38,7 +38,7 @@ pub(super) struct Solution {
     pub(super) previous: Vec<DVec3>,
 }
 
-impl Solution {
+impl CompositeSolution {
     pub(super) fn resize(&mut self, n: usize) -> Result<()> {
         for list in [&mut self.t, &mut self.data_t, &mut self.upper, &mut self.across] {
             alloc::grow(list, n, 0.0)?;
@@ -47,7 +47,7 @@ impl Solution {
     }
 
     /// Prepares the joint parameters of a subcurve for an iteration. No point has fallen back yet.
-    pub(super) fn begin(&mut self, sub: &Subcurve<'_>) -> Result<()> {
+    pub(super) fn begin_iteration(&mut self, sub: &Subcurve<'_>) -> Result<()> {
         let n = sub.len();
         self.joints.clear();
         alloc::extend(&mut self.joints, (0..n).map(|i| Self::joint_parameter(sub, &self.beta, i)))?;
@@ -65,7 +65,7 @@ impl Solution {
     /// Returns the control point of section `i`, and its first and last joint, relative to its
     /// point.
     #[inline(always)]
-    pub(super) fn legs(&self, sub: &Subcurve<'_>, i: usize) -> [DVec3; 3] {
+    pub(super) fn control_and_joints_relative_to_point(&self, sub: &Subcurve<'_>, i: usize) -> [DVec3; 3] {
         let (previous, next) = (sub.previous(i), sub.next(i));
         let p = sub.points[i];
         let [a, b, c] = [previous, i, next].map(|k| self.controls[k] - p);
@@ -92,7 +92,7 @@ impl Solution {
 
     /// J_i, the joint behind section `i`; the ends of an open subcurve count as joints.
     #[inline]
-    pub(super) fn joint(&self, sub: &Subcurve<'_>, i: usize) -> DVec3 {
+    pub(super) fn joint_point(&self, sub: &Subcurve<'_>, i: usize) -> DVec3 {
         let (last, next) = (sub.len() - 1, sub.next(i));
         if !sub.closed {
             if i == 0 && sub.tangents[0].is_none() {

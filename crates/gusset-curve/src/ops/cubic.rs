@@ -8,7 +8,7 @@ use gusset_base::sort;
 /// With t = x - b / (3 a), the equation is x^3 + 3 p x + 2 q = 0 with the discriminant q^2 + p^3.
 /// One real root follows from Cardano's formula, three from Viète's cosines. Two Newton steps then
 /// refine each root.
-pub(super) fn real_roots(a: f64, b: f64, c: f64, d: f64) -> Option<([f64; 3], usize)> {
+pub(super) fn real_cubic_roots(a: f64, b: f64, c: f64, d: f64) -> Option<([f64; 3], usize)> {
     let size = b.abs().max(c.abs()).max(d.abs());
     if a.abs() <= 1e-6 * size || a == 0.0 {
         return None;
@@ -59,7 +59,7 @@ mod tests {
         #[test]
         fn known_roots_are_found(r in [-2.0..2.0f64, -2.0..2.0f64, -2.0..2.0f64]) {
             let [x, y, z] = r;
-            let (found, count) = real_roots(1.0, -(x + y + z), x * y + y * z + z * x, -x * y * z).unwrap();
+            let (found, count) = real_cubic_roots(1.0, -(x + y + z), x * y + y * z + z * x, -x * y * z).unwrap();
             for root in r {
                 // A double root may be off by 1e-8.
                 prop_assert!(found[..count].iter().any(|t| (t - root).abs() < 1e-5), "{:?} {:?}", r, found);

@@ -9,40 +9,40 @@ use std::cmp::Ordering;
 
 /// A part of a segment between two parameters.
 #[derive(Clone, Copy)]
-pub(super) struct Part {
+pub(super) struct SegmentPart {
     pub(super) controls: SegmentBuffer,
     pub(super) from: f64,
     pub(super) to: f64,
 }
 
-impl Part {
-    pub(super) fn whole(controls: SegmentBuffer) -> Self {
-        Part { controls, from: 0.0, to: 1.0 }
+impl SegmentPart {
+    pub(super) fn from_whole_segment(controls: SegmentBuffer) -> Self {
+        SegmentPart { controls, from: 0.0, to: 1.0 }
     }
 
-    pub(super) fn middle(&self) -> f64 {
+    pub(super) fn middle_parameter(&self) -> f64 {
         0.5 * (self.from + self.to)
     }
 
     /// Returns the longest side of the bounding box of the control points.
-    pub(super) fn size(&self) -> f64 {
+    pub(super) fn control_box_size(&self) -> f64 {
         Aabb::from_points(self.controls.iter()).size().max_element()
     }
 
-    pub(super) fn halves(mut self) -> [Part; 2] {
-        let middle = self.middle();
-        let before = Part { controls: self.controls.split_off_front(0.5), to: middle, ..self };
-        [before, Part { from: middle, ..self }]
+    pub(super) fn into_halves(mut self) -> [SegmentPart; 2] {
+        let middle = self.middle_parameter();
+        let before = SegmentPart { controls: self.controls.split_off_front(0.5), to: middle, ..self };
+        [before, SegmentPart { from: middle, ..self }]
     }
 }
 
 /// Halves part `number` of a pair.
-pub(super) fn halve([p, q]: [Part; 2], number: usize) -> [[Part; 2]; 2] {
-    if number == 0 { p.halves().map(|half| [half, q]) } else { q.halves().map(|half| [p, half]) }
+pub(super) fn halve_one_of_pair([p, q]: [SegmentPart; 2], number: usize) -> [[SegmentPart; 2]; 2] {
+    if number == 0 { p.into_halves().map(|half| [half, q]) } else { q.into_halves().map(|half| [p, half]) }
 }
 
 /// Returns true if two hulls are farther apart than `slack` along a unit axis.
-pub(super) fn separates(axis: DVec3, a: &[DVec3], b: &[DVec3], slack: f64) -> bool {
+pub(super) fn axis_separates_hulls(axis: DVec3, a: &[DVec3], b: &[DVec3], slack: f64) -> bool {
     let range = |points: &[DVec3]| {
         let along = points.iter().map(|&p| axis.dot(p - a[0]));
         along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
@@ -52,7 +52,7 @@ pub(super) fn separates(axis: DVec3, a: &[DVec3], b: &[DVec3], slack: f64) -> bo
 }
 
 /// Returns the unit direction of the chord of a part; 0 if its ends coincide.
-pub(super) fn chord(controls: &[DVec3]) -> DVec3 {
+pub(super) fn chord_direction(controls: &[DVec3]) -> DVec3 {
     (controls[controls.len() - 1] - controls[0]).normalize_or_zero()
 }
 
@@ -62,7 +62,7 @@ pub(super) fn compare_places(x: [f64; 2], y: [f64; 2]) -> Ordering {
 }
 
 /// Returns true if two places on a curve with a period coincide within `tolerance`.
-pub(super) fn coincide(x: f64, y: f64, period: f64, tolerance: f64) -> bool {
+pub(super) fn do_places_coincide(x: f64, y: f64, period: f64, tolerance: f64) -> bool {
     let gap = (x - y).abs();
     gap <= tolerance || (period - gap).abs() <= tolerance
 }
@@ -70,7 +70,7 @@ pub(super) fn coincide(x: f64, y: f64, period: f64, tolerance: f64) -> bool {
 /// Sorts solutions by their places on two curves, and removes duplicates within `tolerance`, also
 /// across the ends of closed curves; see [`CurveView::period`](crate::CurveView). O(n log n) if
 /// there are few duplicates.
-pub(super) fn sort_distinct<T: Copy>(
+pub(super) fn sort_and_remove_duplicates<T: Copy>(
     found: &mut Vec<T>,
     places: impl Fn(&T) -> [f64; 2],
     periods: [f64; 2],
@@ -80,7 +80,7 @@ pub(super) fn sort_distinct<T: Copy>(
     let mut kept = 0;
     for i in 0..found.len() {
         let at = places(&found[i]);
-        let same = |other: &T| (0..2).all(|k| coincide(at[k], places(other)[k], periods[k], tolerance));
+        let same = |other: &T| (0..2).all(|k| do_places_coincide(at[k], places(other)[k], periods[k], tolerance));
         // Duplicates are close in this order, or at the start of a closed curve.
         let near = found[..kept].iter().rev().take_while(|other| at[0] - places(other)[0] <= tolerance);
         let first = found[..kept].iter().take_while(|other| places(other)[0] <= tolerance);

@@ -1,18 +1,29 @@
-//! gltf
+//! glTF
 
-use crate::document::Document;
-use crate::error::{Loss, ReadError, WriteError, WriteErrorKind};
-use crate::options::{ReadOptions, WriteOptions};
-use crate::resources::{Resources, Target};
+mod base64;
+mod glb_container;
+mod gltf_accessors;
+mod gltf_binary;
+mod gltf_buffers;
+mod gltf_colour;
+mod gltf_faces_read;
+mod gltf_faces_write;
+mod gltf_materials_read;
+mod gltf_materials_write;
+mod gltf_matrix;
+mod gltf_mesh;
+mod gltf_mesh_write;
+mod gltf_notes;
+mod gltf_scene;
+mod gltf_split;
+mod gltf_strands;
+mod gltf_unite;
+mod json_tape;
+mod json_text;
+mod meshopt;
+mod meshopt_filters;
+mod read_gltf;
+mod write_gltf;
 
-pub(crate) fn read_gltf(_: &[u8], _: &dyn Resources, _: &ReadOptions) -> Result<Document, ReadError> {
-    Err(ReadError::unsupported("not yet"))
-}
-
-pub(crate) fn write_gltf(_: &Document, _: &mut Target<'_>, _: &WriteOptions) -> Result<Vec<Loss>, WriteError> {
-    Err(WriteError::new(WriteErrorKind::Unsupported, "not yet"))
-}
-
-pub(crate) fn write_glb(_: &Document, _: &mut Target<'_>, _: &WriteOptions) -> Result<Vec<Loss>, WriteError> {
-    Err(WriteError::new(WriteErrorKind::Unsupported, "not yet"))
-}
+pub(crate) use read_gltf::read_gltf;
+pub(crate) use write_gltf::{write_glb, write_gltf};

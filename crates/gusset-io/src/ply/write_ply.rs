@@ -73,7 +73,7 @@ fn write_file(
     out.text(if options.text { "ascii" } else { "binary_little_endian" })?;
     out.text(" 1.0\ncomment gusset\n")?;
     for name in faces.map_or(&[][..], |faces| &faces.textures.names) {
-        out.text(&format!("comment TextureFile {name}\n"))?;
+        out.text(&format!("comment TextureFile {}\n", target.resources.written_name(name)))?;
     }
     announce_vertices(&mut out, vertices)?;
     if let Some(faces) = faces {

@@ -1,14 +1,11 @@
-//! three_mf
+//! 3MF
 
-use crate::document::Document;
-use crate::error::{Loss, ReadError, WriteError, WriteErrorKind};
-use crate::options::{ReadOptions, WriteOptions};
-use crate::resources::{Resources, Target};
+mod mf_model;
+mod mf_package;
+mod mf_properties;
+mod read_3mf;
+mod read_mf_model;
+mod write_3mf;
 
-pub(crate) fn read_3mf(_: &[u8], _: &ReadOptions) -> Result<Document, ReadError> {
-    Err(ReadError::unsupported("not yet"))
-}
-
-pub(crate) fn write_3mf(_: &Document, _: &mut Target<'_>, _: &WriteOptions) -> Result<Vec<Loss>, WriteError> {
-    Err(WriteError::new(WriteErrorKind::Unsupported, "not yet"))
-}
+pub(crate) use read_3mf::read_3mf;
+pub(crate) use write_3mf::write_3mf;

@@ -14,29 +14,29 @@
 //!
 //! Invariant: a part takes its marks from its parent, and from the lines between parts, so that
 //! arcs of neighbouring parts join exactly. Monotonicity as a termination criterion: Alberti,
-//! Mourrain and Wintz (2008). Cost: O(M^3) for a split, at most [`MAX_PARTS`] parts.
+//! Mourrain and Wintz (2008). Cost: O(M^3) for a split, at most [`MAX_PARTS_PER_CELL`] parts.
 
-use super::side::{crossings, positive};
-use crate::subdivision::Field;
+use super::side::{counts_as_positive, find_sign_changes};
+use crate::subdivision::BernsteinField;
 use glam::DVec2;
-use gusset_base::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
+use gusset_base::geom::subdivision::{BoxTest, Subdivision, SubdivisionLimits, subdivide};
 use gusset_base::sort;
 use std::convert::Infallible;
 
 /// Number of halvings of each parameter before a part is given up.
 const MAX_SUBDIVISION_DEPTH: u32 = 26;
 /// Largest number of parts examined in one cell.
-const MAX_PARTS: usize = 1024;
+const MAX_PARTS_PER_CELL: usize = 1024;
 
 /// Number of sides of a cell or part. Counter-clockwise, the sides are v low, u high, v high, u
 /// low.
-pub(super) const SIDES: usize = 4;
+pub(super) const SIDES_PER_CELL: usize = 4;
 /// For each side, the corners (2 u + v) at its start and end. The parameter increases between them.
-pub(super) const CORNERS: [[usize; 2]; SIDES] = [[0, 2], [2, 3], [1, 3], [0, 1]];
+pub(super) const CORNERS_OF_SIDES: [[usize; 2]; SIDES_PER_CELL] = [[0, 2], [2, 3], [1, 3], [0, 1]];
 
 /// A place where the sign changes along a side.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Mark {
+pub(super) struct SignChangeMark {
     /// The key, which all cells and parts that share the side agree on.
     pub(super) key: u64,
     /// The parameters in the cell.
@@ -46,9 +46,9 @@ pub(super) struct Mark {
     pub(super) rising: bool,
 }
 
-impl Mark {
+impl SignChangeMark {
     /// The parameter along its side.
-    fn parameter(&self) -> f64 {
+    fn parameter_on_side(&self) -> f64 {
         self.at[self.side % 2]
     }
 
@@ -60,24 +60,24 @@ impl Mark {
 
 /// An arc as a graph: over u (0) or v (1), with the range of the other parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct ArcGraph {
+pub(super) struct ArcAsGraph {
     pub(super) over: usize,
     pub(super) range: [f64; 2],
 }
 
 /// An arc of the zero set.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Link {
-    pub(super) from: Mark,
-    pub(super) to: Mark,
+pub(super) struct MarkedArc {
+    pub(super) from: SignChangeMark,
+    pub(super) to: SignChangeMark,
     /// The graph of the arc; `None` in unresolved parts.
-    pub(super) graph: Option<ArcGraph>,
+    pub(super) graph: Option<ArcAsGraph>,
 }
 
 /// A cell or part with the marks on its border.
 pub(super) struct MarkedPart<const M: usize> {
-    field: Field<M>,
-    marks: Vec<Mark>,
+    field: BernsteinField<M>,
+    marks: Vec<SignChangeMark>,
     /// Whether the field counts as positive at the corners 2 u + v.
     corners: [bool; 4],
     from: DVec2,
@@ -85,10 +85,10 @@ pub(super) struct MarkedPart<const M: usize> {
 }
 
 /// A generator of keys for marks inside cells.
-pub(super) struct Keys(pub(super) u64);
+pub(super) struct InnerMarkKeys(pub(super) u64);
 
-impl Keys {
-    fn next(&mut self) -> u64 {
+impl InnerMarkKeys {
+    fn next_key(&mut self) -> u64 {
         self.0 += 1;
         self.0
     }
@@ -97,41 +97,41 @@ impl Keys {
 /// Finds the arcs of a cell from its marks and the signs at its corners. Values up to
 /// `rounding_error` may be 0. Returns a place that is left unresolved, if any.
 #[inline]
-pub(super) fn arcs<const M: usize>(
-    field: &Field<M>,
-    marks: &mut Vec<Mark>,
+pub(super) fn find_cell_arcs<const M: usize>(
+    field: &BernsteinField<M>,
+    marks: &mut Vec<SignChangeMark>,
     corners: [bool; 4],
     rounding_error: f64,
-    keys: &mut Keys,
-    mut add: impl FnMut(Link),
+    keys: &mut InnerMarkKeys,
+    mut add: impl FnMut(MarkedArc),
 ) -> Option<DVec2> {
     // The usual case.
-    if marks.is_empty() && one_sign(field) {
+    if marks.is_empty() && has_one_sign(field) {
         return None;
     }
-    if let Some(over) = graph(field, rounding_error) {
-        link_in_order(marks, ArcGraph { over, range: [0.0, 1.0] }, &mut add);
+    if let Some(over) = graph_parameter(field, rounding_error) {
+        link_marks_along_graph(marks, ArcAsGraph { over, range: [0.0, 1.0] }, &mut add);
         return None;
     }
     let marks = std::mem::take(marks);
     let whole = MarkedPart { field: *field, marks, corners, from: DVec2::ZERO, size: 1.0 };
-    let mut search = LinkSearch { rounding_error, keys, add, unresolved: None };
-    let limits = Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PARTS };
+    let mut search = CellArcSearch { rounding_error, keys, add, unresolved: None };
+    let limits = SubdivisionLimits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PARTS_PER_CELL };
     let Ok(()) = subdivide(&mut search, whole, &mut Vec::new(), limits);
     search.unresolved.map(|(_, place)| place)
 }
 
 /// The search in one cell.
-struct LinkSearch<'a, F> {
+struct CellArcSearch<'a, F> {
     rounding_error: f64,
-    keys: &'a mut Keys,
+    keys: &'a mut InnerMarkKeys,
     add: F,
     /// The middle of the unresolved part with the smallest absolute value there, preceded by that
     /// value.
     unresolved: Option<(f64, DVec2)>,
 }
 
-impl<F: FnMut(Link), const M: usize> Subdivision<MarkedPart<M>, 4> for LinkSearch<'_, F> {
+impl<F: FnMut(MarkedArc), const M: usize> Subdivision<MarkedPart<M>, 4> for CellArcSearch<'_, F> {
     /// The parameter over which the zero set is a graph.
     type Solution = usize;
     type Split = ();
@@ -139,12 +139,12 @@ impl<F: FnMut(Link), const M: usize> Subdivision<MarkedPart<M>, 4> for LinkSearc
 
     #[inline]
     fn classify(&mut self, part: &MarkedPart<M>) -> Result<BoxTest<usize, ()>, Infallible> {
-        Ok(if part.marks.is_empty() && one_sign(&part.field) {
+        Ok(if part.marks.is_empty() && has_one_sign(&part.field) {
             BoxTest::Empty
-        } else if let Some(over) = graph(&part.field, self.rounding_error) {
+        } else if let Some(over) = graph_parameter(&part.field, self.rounding_error) {
             BoxTest::Unique(over)
         } else {
-            let [low, high] = part.field.range();
+            let [low, high] = part.field.coefficient_range();
             let vanishes = low >= -self.rounding_error && high <= self.rounding_error;
             if vanishes { BoxTest::Unresolved } else { BoxTest::Undecided(()) }
         })
@@ -152,35 +152,35 @@ impl<F: FnMut(Link), const M: usize> Subdivision<MarkedPart<M>, 4> for LinkSearc
 
     fn accept(&mut self, mut part: MarkedPart<M>, over: usize) -> Result<(), Infallible> {
         let low = part.from[1 - over];
-        link_in_order(&mut part.marks, ArcGraph { over, range: [low, low + part.size] }, &mut self.add);
+        link_marks_along_graph(&mut part.marks, ArcAsGraph { over, range: [low, low + part.size] }, &mut self.add);
         Ok(())
     }
 
     fn give_up(&mut self, part: MarkedPart<M>, _exhausted: bool) -> Result<(), Infallible> {
-        let middle = part.field.evaluate(0.5, 0.5).value;
+        let middle = part.field.evaluate_jet(0.5, 0.5).value;
         if self.unresolved.is_none_or(|(min, _)| middle.abs() < min) {
             self.unresolved = Some((middle.abs(), part.from + 0.5 * part.size));
         }
-        link_around_middle(&part.marks, positive(middle), &mut self.add);
+        link_marks_around_middle(&part.marks, counts_as_positive(middle), &mut self.add);
         Ok(())
     }
 
     fn split(&mut self, part: MarkedPart<M>, (): ()) -> [MarkedPart<M>; 4] {
-        part.quarters(self.keys)
+        part.into_quarters(self.keys)
     }
 }
 
 /// True if the coefficients prove that the field does not vanish.
 #[inline]
-pub(super) fn one_sign<const M: usize>(field: &Field<M>) -> bool {
-    let [low, high] = field.range();
+pub(super) fn has_one_sign<const M: usize>(field: &BernsteinField<M>) -> bool {
+    let [low, high] = field.coefficient_range();
     low >= 0.0 || high < 0.0
 }
 
 /// The parameter, u (0) or v (1), over which the zero set is a graph, because the field is monotone
 /// in the other one. If both are possible, the field is steeper in the other parameter.
 #[inline]
-fn graph<const M: usize>(field: &Field<M>, rounding_error: f64) -> Option<usize> {
+fn graph_parameter<const M: usize>(field: &BernsteinField<M>, rounding_error: f64) -> Option<usize> {
     // Slopes are differences of coefficients, times the degree.
     let slack = rounding_error * (M - 1) as f64;
     let steep = |[low, high]: [f64; 2]| {
@@ -188,7 +188,7 @@ fn graph<const M: usize>(field: &Field<M>, rounding_error: f64) -> Option<usize>
         let falls = high <= slack && low < -16.0 * slack;
         (rises || falls).then_some(low.abs().min(high.abs()))
     };
-    match field.slope_ranges().map(steep) {
+    match field.derivative_ranges().map(steep) {
         [Some(u), Some(v)] => Some(usize::from(u > v)),
         [Some(_), None] => Some(1),
         [None, Some(_)] => Some(0),
@@ -198,26 +198,26 @@ fn graph<const M: usize>(field: &Field<M>, rounding_error: f64) -> Option<usize>
 
 /// Links marks along a graph: the k-th entry to the k-th exit.
 #[inline]
-fn link_in_order(marks: &mut [Mark], graph: ArcGraph, add: &mut impl FnMut(Link)) {
+fn link_marks_along_graph(marks: &mut [SignChangeMark], graph: ArcAsGraph, add: &mut impl FnMut(MarkedArc)) {
     if let [a, b] = *marks {
         let (from, to) = if a.is_entry() { (a, b) } else { (b, a) };
-        return add(Link { from, to, graph: Some(graph) });
+        return add(MarkedArc { from, to, graph: Some(graph) });
     }
     sort::stable(marks, &|a, b| a.at[graph.over].total_cmp(&b.at[graph.over]));
     let (entries, exits) = (marks.iter().filter(|mark| mark.is_entry()), marks.iter().filter(|mark| !mark.is_entry()));
     for (&from, &to) in entries.zip(exits) {
-        add(Link { from, to, graph: Some(graph) });
+        add(MarkedArc { from, to, graph: Some(graph) });
     }
 }
 
 /// Links marks around an unresolved part. If the middle is positive, arcs cut off negative regions,
 /// and positive ones otherwise.
-fn link_around_middle(marks: &[Mark], middle: bool, add: &mut impl FnMut(Link)) {
-    let mut round: Vec<Mark> = Vec::with_capacity(marks.len());
-    for side in 0..SIDES {
+fn link_marks_around_middle(marks: &[SignChangeMark], middle: bool, add: &mut impl FnMut(MarkedArc)) {
+    let mut round: Vec<SignChangeMark> = Vec::with_capacity(marks.len());
+    for side in 0..SIDES_PER_CELL {
         let first = round.len();
         round.extend(marks.iter().filter(|mark| mark.side == side));
-        sort::stable(&mut round[first..], &|a, b| a.parameter().total_cmp(&b.parameter()));
+        sort::stable(&mut round[first..], &|a, b| a.parameter_on_side().total_cmp(&b.parameter_on_side()));
         if side >= 2 {
             round[first..].reverse();
         }
@@ -225,23 +225,23 @@ fn link_around_middle(marks: &[Mark], middle: bool, add: &mut impl FnMut(Link)) 
     let count = round.len();
     for (k, &from) in round.iter().enumerate().filter(|(_, mark)| mark.is_entry()) {
         let to = round[(k + if middle { 1 } else { count - 1 }) % count];
-        add(Link { from, to, graph: None });
+        add(MarkedArc { from, to, graph: None });
     }
 }
 
 impl<const M: usize> MarkedPart<M> {
     /// The four quarters: low u and low v, low u and high v, high u and low v, high u and high v.
-    fn quarters(self, keys: &mut Keys) -> [MarkedPart<M>; 4] {
+    fn into_quarters(self, keys: &mut InnerMarkKeys) -> [MarkedPart<M>; 4] {
         let half = 0.5 * self.size;
         let middle = self.from + half;
         // The signs at the middles of sides: the sign at the start, changed by each mark before the
         // middle.
-        let amid: [bool; SIDES] = std::array::from_fn(|side| {
-            let before = |mark: &&Mark| mark.side == side && mark.parameter() < middle[side % 2];
-            self.corners[CORNERS[side][0]] ^ (self.marks.iter().filter(before).count() % 2 == 1)
+        let amid: [bool; SIDES_PER_CELL] = std::array::from_fn(|side| {
+            let before = |mark: &&SignChangeMark| mark.side == side && mark.parameter_on_side() < middle[side % 2];
+            self.corners[CORNERS_OF_SIDES[side][0]] ^ (self.marks.iter().filter(before).count() % 2 == 1)
         });
         let fields = self.field.quarters();
-        let centre = positive(fields[0].c[M - 1][M - 1]);
+        let centre = counts_as_positive(fields[0].c[M - 1][M - 1]);
         let [c00, c01, c10, c11] = self.corners;
         let corners = [
             [c00, amid[3], amid[0], centre],
@@ -249,9 +249,9 @@ impl<const M: usize> MarkedPart<M> {
             [amid[0], centre, c10, amid[1]],
             [centre, amid[2], amid[1], c11],
         ];
-        let mut marks: [Vec<Mark>; 4] = std::array::from_fn(|_| Vec::new());
+        let mut marks: [Vec<SignChangeMark>; 4] = std::array::from_fn(|_| Vec::new());
         for mark in self.marks {
-            let high = mark.parameter() >= middle[mark.side % 2];
+            let high = mark.parameter_on_side() >= middle[mark.side % 2];
             marks[[[0, 2], [2, 3], [1, 3], [0, 1]][mark.side][usize::from(high)]].push(mark);
         }
         // The lines between the parts, as (part before, part after, side of the part before).
@@ -262,13 +262,13 @@ impl<const M: usize> MarkedPart<M> {
                 _ => fields[low].c.map(|row| row[M - 1]),
             };
             let start = if low == 0 { self.from[along] } else { middle[along] };
-            let ends = CORNERS[side].map(|corner| corners[low][corner]);
-            crossings(&c, ends, |crossing| {
+            let ends = CORNERS_OF_SIDES[side].map(|corner| corners[low][corner]);
+            find_sign_changes(&c, ends, |crossing| {
                 let mut at = middle;
                 at[along] = start + half * crossing.t;
-                let mark = Mark { key: keys.next(), at, side, rising: crossing.rising };
+                let mark = SignChangeMark { key: keys.next_key(), at, side, rising: crossing.rising };
                 marks[low].push(mark);
-                marks[high].push(Mark { side: (side + 2) % SIDES, ..mark });
+                marks[high].push(SignChangeMark { side: (side + 2) % SIDES_PER_CELL, ..mark });
             });
         }
         std::array::from_fn(|quarter| MarkedPart {

@@ -5,17 +5,21 @@
 //! (Farouki and Rajan 1988).
 
 use crate::Patch;
-use crate::ranges::cross;
-use crate::subdivision::Field;
+use crate::ranges::cross_product_ranges;
+use crate::subdivision::BernsteinField;
 use glam::DVec3;
 use gusset_base::geom::aabb::range;
 use gusset_base::geom::bernstein::binomial_row;
 
 /// Coefficients times their binomials.
-type Scaled<const M: usize> = [[f64; M]; M];
+type ScaledCoefficients<const M: usize> = [[f64; M]; M];
 
 /// Adds the product a b to `sum`.
-fn add_product<const A: usize, const M: usize>(a: &Scaled<A>, b: &Scaled<A>, sum: &mut Scaled<M>) {
+fn add_scaled_product<const A: usize, const M: usize>(
+    a: &ScaledCoefficients<A>,
+    b: &ScaledCoefficients<A>,
+    sum: &mut ScaledCoefficients<M>,
+) {
     for (i, row) in a.iter().enumerate() {
         for (j, &x) in row.iter().enumerate().filter(|&(_, &x)| x != 0.0) {
             for (sums, others) in sum[i..].iter_mut().zip(b) {
@@ -28,17 +32,21 @@ fn add_product<const A: usize, const M: usize>(a: &Scaled<A>, b: &Scaled<A>, sum
 }
 
 /// The field with the given scaled coefficients of degree M - 1.
-fn unscaled<const M: usize>(scaled: &Scaled<M>) -> Field<M> {
+fn field_from_scaled<const M: usize>(scaled: &ScaledCoefficients<M>) -> BernsteinField<M> {
     let by = const { binomial_row::<M>(M - 1) };
     let mut c = *scaled;
     for (row, a) in c.iter_mut().zip(by) {
         row.iter_mut().zip(by).for_each(|(x, b)| *x /= a * b);
     }
-    Field { c }
+    BernsteinField { c }
 }
 
 /// Coefficients multiplied by factors for rows and columns.
-fn scaled<const N: usize>(c: &Scaled<N>, by_u: &[f64; N], by_v: &[f64; N]) -> Scaled<N> {
+fn scale_coefficients<const N: usize>(
+    c: &ScaledCoefficients<N>,
+    by_u: &[f64; N],
+    by_v: &[f64; N],
+) -> ScaledCoefficients<N> {
     let mut scaled = *c;
     for (row, a) in scaled.iter_mut().zip(by_u) {
         row.iter_mut().zip(by_v).for_each(|(x, b)| *x *= a * b);
@@ -74,15 +82,18 @@ impl<const N: usize> Hodographs<N> {
     }
 
     /// Ranges of the three components of N, from the ranges of the components of S_u and S_v.
-    pub(super) fn ranges(&self) -> [[f64; 2]; 3] {
+    pub(super) fn normal_component_ranges(&self) -> [[f64; 2]; 3] {
         let part = |of: &[[f64; N]; N], rows: usize, columns: usize| {
             range(of[..rows].iter().flat_map(|row| &row[..columns]).copied())
         };
-        cross(self.u.each_ref().map(|of| part(of, N - 1, N)), self.v.each_ref().map(|of| part(of, N, N - 1)))
+        cross_product_ranges(
+            self.u.each_ref().map(|of| part(of, N - 1, N)),
+            self.v.each_ref().map(|of| part(of, N, N - 1)),
+        )
     }
 
     /// Upper bounds of the lengths of S_u and S_v, from control vectors.
-    pub(super) fn speeds(&self) -> [f64; 2] {
+    pub(super) fn max_speeds(&self) -> [f64; 2] {
         [&self.u, &self.v].map(|of| {
             let square = |a: usize, b: usize| (0..3).map(|k| of[k][a][b] * of[k][a][b]).sum::<f64>();
             (0..N * N).map(|k| square(k / N, k % N)).fold(0.0, f64::max).sqrt()
@@ -90,21 +101,27 @@ impl<const N: usize> Hodographs<N> {
     }
 
     /// Component k of N as a field of degree 2 N - 3.
-    pub(super) fn normal<const M: usize>(&self, k: usize) -> Field<M> {
+    pub(super) fn normal_component<const M: usize>(&self, k: usize) -> BernsteinField<M> {
         const { assert!(M == 2 * N - 2) };
         let (lower, full) = const { (binomial_row::<N>(N - 2), binomial_row::<N>(N - 1)) };
         let (k, l) = ((k + 1) % 3, (k + 2) % 3);
-        let [uk, ul] = [k, l].map(|k| scaled(&self.u[k], &lower, &full));
-        let [vk, vl] = [k, l].map(|k| scaled(&self.v[k], &full, &lower));
+        let [uk, ul] = [k, l].map(|k| scale_coefficients(&self.u[k], &lower, &full));
+        let [vk, vl] = [k, l].map(|k| scale_coefficients(&self.v[k], &full, &lower));
         let mut sum = [[0.0; M]; M];
-        add_trimmed(&uk, &vl, 1.0, &mut sum);
-        add_trimmed(&ul, &vk, -1.0, &mut sum);
-        unscaled(&sum)
+        add_derivative_product(&uk, &vl, 1.0, &mut sum);
+        add_derivative_product(&ul, &vk, -1.0, &mut sum);
+        field_from_scaled(&sum)
     }
 }
 
-/// [`add_product`] of a derivative by u and one by v, without their rows and columns of zeros.
-fn add_trimmed<const N: usize, const M: usize>(u: &Scaled<N>, v: &Scaled<N>, factor: f64, sum: &mut Scaled<M>) {
+/// [`add_scaled_product`] of a derivative by u and one by v, without their rows and columns of
+/// zeros.
+fn add_derivative_product<const N: usize, const M: usize>(
+    u: &ScaledCoefficients<N>,
+    v: &ScaledCoefficients<N>,
+    factor: f64,
+    sum: &mut ScaledCoefficients<M>,
+) {
     for (i, row) in u[..N - 1].iter().enumerate() {
         for (j, &x) in row.iter().enumerate() {
             let x = x * factor;
@@ -118,15 +135,15 @@ fn add_trimmed<const N: usize, const M: usize>(u: &Scaled<N>, v: &Scaled<N>, fac
 }
 
 /// The sum of the squares of fields, which has twice their degree.
-pub(super) fn squares<const H: usize, const M: usize>(fields: &[Field<H>]) -> Field<M> {
+pub(super) fn sum_of_squared_fields<const H: usize, const M: usize>(fields: &[BernsteinField<H>]) -> BernsteinField<M> {
     const { assert!(M == 2 * H - 1) };
     let by = const { binomial_row::<H>(H - 1) };
     let mut sum = [[0.0; M]; M];
     for field in fields {
-        let scaled = scaled(&field.c, &by, &by);
-        add_product(&scaled, &scaled, &mut sum);
+        let scaled = scale_coefficients(&field.c, &by, &by);
+        add_scaled_product(&scaled, &scaled, &mut sum);
     }
-    unscaled(&sum)
+    field_from_scaled(&sum)
 }
 
 #[cfg(test)]
@@ -139,17 +156,17 @@ mod tests {
         let mut vector = || DVec3::from_array([0; 3].map(|_| random.f64() - 0.5));
         let patch = Patch::<4> { points: std::array::from_fn(|_| std::array::from_fn(|_| vector())) };
         let made = Hodographs::new(&patch, &[DVec3::X, DVec3::Y, DVec3::Z]);
-        let fields: [Field<6>; 3] = std::array::from_fn(|k| made.normal(k));
-        let square: Field<11> = squares(&fields);
-        let ranges = made.ranges();
+        let fields: [BernsteinField<6>; 3] = std::array::from_fn(|k| made.normal_component(k));
+        let square: BernsteinField<11> = sum_of_squared_fields(&fields);
+        let ranges = made.normal_component_ranges();
         for k in 0..25 {
             let (u, v) = (f64::from(k / 5) / 4.0, f64::from(k % 5) / 4.0);
             let truth = patch.jet(u, v).normal();
             for axis in 0..3 {
-                assert!((fields[axis].evaluate(u, v).value - truth[axis]).abs() < 1e-12);
+                assert!((fields[axis].evaluate_jet(u, v).value - truth[axis]).abs() < 1e-12);
                 assert!(ranges[axis][0] <= truth[axis] && truth[axis] <= ranges[axis][1]);
             }
-            assert!((square.evaluate(u, v).value - truth.length_squared()).abs() < 1e-11);
+            assert!((square.evaluate_jet(u, v).value - truth.length_squared()).abs() < 1e-11);
         }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Cost: O(n log n) for n paths of sheets, and O(1) for each point.
 
-use super::contour_chain::{ContourPath, ContourPaths, chain};
+use super::contour_chain::{ContourPath, ContourPaths, chain_arcs};
 use super::contour_lattice::ContourLattice;
 use super::contour_search::ContourArcs;
 use crate::{Paths, Place, Surface};
@@ -17,30 +17,30 @@ const PLACES_PER_TASK: usize = 1024;
 
 /// The paths of all sheets, and unresolved places.
 #[derive(Default)]
-pub(super) struct ContourSet {
+pub(super) struct SheetContourSet {
     sheets: ContourPaths,
     pub(super) unresolved: Vec<Place>,
 }
 
-impl ContourSet {
-    pub(super) fn add(
+impl SheetContourSet {
+    pub(super) fn add_sheet_arcs(
         &mut self,
         sheet: usize,
         mut found: ContourArcs,
         lattice: &ContourLattice,
-        jumps: bool,
+        has_jumps: bool,
         threads: usize,
     ) -> Result<()> {
         let place = |&(cell, at): &([u32; 2], DVec2)| Place { sheet: sheet as u32, cell, u: at.x, v: at.y };
         alloc::extend(&mut self.unresolved, found.unresolved.iter().map(place))?;
-        chain(sheet as u32, &mut found, lattice, jumps, threads, &mut self.sheets)
+        chain_arcs(sheet as u32, &mut found, lattice, has_jumps, threads, &mut self.sheets)
     }
 
     /// Joins the paths of all sheets. Sorts them by level, then by first path.
-    pub(super) fn paths(self, surface: &Surface<'_>, job: &Job<'_>) -> Result<Paths> {
-        let sheet_paths = SheetContours::new(surface, self.sheets, job)?;
+    pub(super) fn into_paths(self, surface: &Surface<'_>, job: &Job<'_>) -> Result<Paths> {
+        let sheet_paths = EvaluatedContours::new(surface, self.sheets, job)?;
         let tolerance = surface.tolerance();
-        let after = sheet_paths.followers(tolerance)?;
+        let after = sheet_paths.find_following_paths(tolerance)?;
         let mut entered = alloc::filled(false, after.len())?;
         after.iter().flatten().for_each(|&k| entered[k] = true);
         let mut used = alloc::filled(false, after.len())?;
@@ -60,7 +60,7 @@ impl ContourSet {
         }
         sequences.sort_unstable();
         let mut paths = Paths { ends: vec![0], unresolved: self.unresolved, ..Paths::default() };
-        paths.reserve(sheet_paths.places.len())?;
+        paths.reserve_points(sheet_paths.places.len())?;
         let mut sequence = Vec::new();
         for (_, first) in sequences {
             sequence.clear();
@@ -73,9 +73,9 @@ impl ContourSet {
             let closed = sheet_paths.contours[first].closed || after[last] == Some(first);
             if !closed {
                 let ends = [sheet_paths.contours[first].range[0], sheet_paths.contours[last].range[1] - 1];
-                sheet_paths.report_inner(surface, ends, &mut paths)?;
+                sheet_paths.report_inner_ends(surface, ends, &mut paths)?;
             }
-            sheet_paths.add(&sequence, closed, tolerance, &mut paths)?;
+            sheet_paths.add_joined_path(&sequence, closed, tolerance, &mut paths)?;
         }
         keep_first_of_each_cell(&mut paths.unresolved)?;
         Ok(paths)
@@ -83,14 +83,14 @@ impl ContourSet {
 }
 
 /// The paths of all sheets, with points and normals.
-struct SheetContours {
+struct EvaluatedContours {
     contours: Vec<ContourPath>,
     places: Vec<Place>,
     points: Vec<DVec3>,
     normals: Vec<DVec3>,
 }
 
-impl SheetContours {
+impl EvaluatedContours {
     fn new(surface: &Surface<'_>, sheets: ContourPaths, job: &Job<'_>) -> Result<Self> {
         let ContourPaths { paths: mut contours, places } = sheets;
         sort::stable(&mut contours, &|a, b| a.level.cmp(&b.level));
@@ -103,12 +103,12 @@ impl SheetContours {
         par::map_cancellable(job, "points", parts, |((places, points), normals)| {
             surface.points_and_normals(places, points, normals);
         })?;
-        Ok(SheetContours { contours, places, points, normals })
+        Ok(EvaluatedContours { contours, places, points, normals })
     }
 
     /// The successor of each path. Joins open paths whose ends are within `tolerance`, each to the
     /// nearest free one.
-    fn followers(&self, tolerance: f64) -> Result<Vec<Option<usize>>> {
+    fn find_following_paths(&self, tolerance: f64) -> Result<Vec<Option<usize>>> {
         let mut after = alloc::filled(None, self.contours.len())?;
         let open = || (0..self.contours.len()).filter(|&k| !self.contours[k].closed);
         let head = |k: usize| self.points[self.contours[k].range[0]];
@@ -143,10 +143,10 @@ impl SheetContours {
 
     /// Adds one path that consists of successive paths of sheets. Skips points within `tolerance`
     /// of the previous one. A path as small as a point is listed as unresolved.
-    fn add(&self, contours: &[usize], closed: bool, tolerance: f64, paths: &mut Paths) -> Result<()> {
+    fn add_joined_path(&self, contours: &[usize], closed: bool, tolerance: f64, paths: &mut Paths) -> Result<()> {
         let first = paths.points.len();
         let point_numbers = || contours.iter().flat_map(|&k| self.contours[k].range[0]..self.contours[k].range[1]);
-        let push = |at: usize, paths: &mut Paths| paths.push(self.places[at], self.points[at], self.normals[at]);
+        let push = |at: usize, paths: &mut Paths| paths.push_point(self.places[at], self.points[at], self.normals[at]);
         for at in point_numbers() {
             let near = paths.points.len() > first
                 && paths.points.last().is_some_and(|last| last.distance(self.points[at]) <= tolerance);
@@ -158,27 +158,27 @@ impl SheetContours {
         let ends = |paths: &Paths| paths.points.len() > first + 1;
         if closed {
             while ends(paths) && paths.points[paths.points.len() - 1].distance(paths.points[first]) <= tolerance {
-                paths.truncate(paths.points.len() - 1);
+                paths.truncate_points(paths.points.len() - 1);
             }
         } else if let Some(last) = last.filter(|&last| ends(paths) && paths.points.last() != Some(&self.points[last])) {
             // The end itself is kept, and points close to it are skipped.
-            paths.truncate(paths.points.len() - 1);
+            paths.truncate_points(paths.points.len() - 1);
             push(last, paths)?;
         }
         if paths.points.len() < first + if closed { 3 } else { 2 } {
             alloc::push(&mut paths.unresolved, paths.places[first])?;
-            paths.truncate(first);
+            paths.truncate_points(first);
             return Ok(());
         }
-        paths.end(closed, self.contours[contours[0]].level)
+        paths.end_path(closed, self.contours[contours[0]].level)
     }
 
     /// Lists ends that are not on an open edge as unresolved. They occur where fields are
     /// discontinuous.
-    fn report_inner(&self, surface: &Surface<'_>, ends: [usize; 2], paths: &mut Paths) -> Result<()> {
+    fn report_inner_ends(&self, surface: &Surface<'_>, ends: [usize; 2], paths: &mut Paths) -> Result<()> {
         for place in ends.map(|end| self.places[end]) {
             let sheet = ContourLattice::new(surface.sheet(place.sheet as usize));
-            if !sheet.on_edge(place.cell, [place.u, place.v]) {
+            if !sheet.is_place_on_open_edge(place.cell, [place.u, place.v]) {
                 alloc::push(&mut paths.unresolved, place)?;
             }
         }
@@ -201,7 +201,7 @@ fn keep_first_of_each_cell(places: &mut Vec<Place>) -> Result<()> {
 /// Adds paths of one point each with the given levels, and sorts all paths by level. Points of one
 /// level within the tolerance of each other are merged, because both cells find a point on their
 /// common side.
-pub(super) fn add_points(surface: &Surface<'_>, points: &[(u32, Place)], paths: &mut Paths) -> Result<()> {
+pub(super) fn add_point_paths(surface: &Surface<'_>, points: &[(u32, Place)], paths: &mut Paths) -> Result<()> {
     if points.is_empty() {
         return Ok(());
     }
@@ -222,24 +222,24 @@ pub(super) fn add_points(surface: &Surface<'_>, points: &[(u32, Place)], paths: 
         }
     }
     for k in (0..points.len()).filter(|&k| !dropped[k]) {
-        paths.push(points[k].1, frames[k].0, frames[k].1)?;
-        paths.end(false, points[k].0)?;
+        paths.push_point(points[k].1, frames[k].0, frames[k].1)?;
+        paths.end_path(false, points[k].0)?;
     }
-    *paths = sort_by_level(std::mem::take(paths))?;
+    *paths = sort_paths_by_level(std::mem::take(paths))?;
     Ok(())
 }
 
 /// The paths sorted by level.
-fn sort_by_level(mut given: Paths) -> Result<Paths> {
+fn sort_paths_by_level(mut given: Paths) -> Result<Paths> {
     let mut order: Vec<usize> = alloc::collect(0..given.len())?;
     sort::stable(&mut order, &|&a, &b| (given.levels[a], a).cmp(&(given.levels[b], b)));
     let unresolved = std::mem::take(&mut given.unresolved);
     let mut sorted = Paths { ends: vec![0], unresolved, ..Paths::default() };
     for k in order {
-        for at in given.range(k) {
-            sorted.push(given.places[at], given.points[at], given.normals[at])?;
+        for at in given.point_range(k) {
+            sorted.push_point(given.places[at], given.points[at], given.normals[at])?;
         }
-        sorted.end(given.closed[k], given.levels[k])?;
+        sorted.end_path(given.closed[k], given.levels[k])?;
     }
     Ok(sorted)
 }

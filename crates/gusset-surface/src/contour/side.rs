@@ -9,11 +9,11 @@
 use gusset_base::geom::bernstein::{bisect, sign_changes, value_and_slope_by_differences as value_and_slope};
 
 /// Intervals of this length are not halved: roots closer to each other count as one, or none.
-const MIN_INTERVAL: f64 = 1.0 / (1_u64 << 44) as f64;
+const MIN_HALVED_INTERVAL: f64 = 1.0 / (1_u64 << 44) as f64;
 
 /// A sign change.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct SignChange {
+pub(super) struct SideSignChange {
     pub(super) t: f64,
     /// True if the sign changes from minus to plus with increasing t.
     pub(super) rising: bool,
@@ -21,34 +21,34 @@ pub(super) struct SignChange {
 
 /// Whether a value counts as positive. 0 does.
 #[inline(always)]
-pub(super) fn positive(value: f64) -> bool {
+pub(super) fn counts_as_positive(value: f64) -> bool {
     value >= 0.0
 }
 
 /// Finds the sign changes in ascending order. `ends` tells whether the ends count as positive. If
 /// the polynomial has another sign at an end, the sign changes at the end itself.
 #[inline]
-pub(super) fn crossings<const M: usize>(c: &[f64; M], ends: [bool; 2], mut found: impl FnMut(SignChange)) {
-    let [start, end] = [positive(c[0]), positive(c[M - 1])];
+pub(super) fn find_sign_changes<const M: usize>(c: &[f64; M], ends: [bool; 2], mut found: impl FnMut(SideSignChange)) {
+    let [start, end] = [counts_as_positive(c[0]), counts_as_positive(c[M - 1])];
     if start != ends[0] {
-        found(SignChange { t: 0.0, rising: start });
+        found(SideSignChange { t: 0.0, rising: start });
     }
-    isolate(c, &mut found);
+    find_inner_sign_changes(c, &mut found);
     if end != ends[1] {
-        found(SignChange { t: 1.0, rising: ends[1] });
+        found(SideSignChange { t: 1.0, rising: ends[1] });
     }
 }
 
 /// Finds the sign changes in the interior.
 #[inline]
-fn isolate<const M: usize>(c: &[f64; M], found: &mut impl FnMut(SignChange)) {
+fn find_inner_sign_changes<const M: usize>(c: &[f64; M], found: &mut impl FnMut(SideSignChange)) {
     bisect(&mut c.clone(), [0.0, 1.0], &mut |c, [from, to]| {
-        let rising = positive(c[M - 1]);
-        match sign_changes(c.iter().map(|&x| positive(x))) {
+        let rising = counts_as_positive(c[M - 1]);
+        match sign_changes(c.iter().map(|&x| counts_as_positive(x))) {
             0 => return false,
-            1 => found(SignChange { t: from + (to - from) * bracketed(c, [0.0, 1.0]), rising }),
-            _ if to - from > MIN_INTERVAL => return true,
-            _ if positive(c[0]) != rising => found(SignChange { t: 0.5 * (from + to), rising }),
+            1 => found(SideSignChange { t: from + (to - from) * find_bracketed_root(c, [0.0, 1.0]), rising }),
+            _ if to - from > MIN_HALVED_INTERVAL => return true,
+            _ if counts_as_positive(c[0]) != rising => found(SideSignChange { t: 0.5 * (from + to), rising }),
             _ => {}
         }
         false
@@ -56,7 +56,7 @@ fn isolate<const M: usize>(c: &[f64; M], found: &mut impl FnMut(SignChange)) {
 }
 
 /// Smallest distance of the first guess of a root from the ends, as a fraction of the interval.
-const MIN_SHARE: f64 = 1.0 / 1024.0;
+const MIN_GUESS_FRACTION_FROM_ENDS: f64 = 1.0 / 1024.0;
 
 /// The root between `low` and `high`, where the polynomial has opposite signs and changes sign
 /// once. Newton's method, safeguarded by bisection.
@@ -64,10 +64,10 @@ const MIN_SHARE: f64 = 1.0 / 1024.0;
 /// The value 0 at an end counts as positive. If the polynomial is positive next to such an end, the
 /// root is elsewhere, and secants and tangents must not end there.
 #[inline]
-pub(super) fn bracketed<const M: usize>(c: &[f64; M], [low, high]: [f64; 2]) -> f64 {
+pub(super) fn find_bracketed_root<const M: usize>(c: &[f64; M], [low, high]: [f64; 2]) -> f64 {
     let ([start, first], [end, last]) = (value_and_slope(c, low), value_and_slope(c, high));
-    let rising = positive(end);
-    if positive(start) == rising {
+    let rising = counts_as_positive(end);
+    if counts_as_positive(start) == rising {
         // Rounding removed the sign change. The caller must judge the value.
         return if start.abs() <= end.abs() { low } else { high };
     }
@@ -79,10 +79,11 @@ pub(super) fn bracketed<const M: usize>(c: &[f64; M], [low, high]: [f64; 2]) -> 
         return high;
     }
     let (mut from, mut to) = (low, high);
-    let mut t = from + (to - from) * (start / (start - end)).clamp(MIN_SHARE, 1.0 - MIN_SHARE);
+    let mut t = from
+        + (to - from) * (start / (start - end)).clamp(MIN_GUESS_FRACTION_FROM_ENDS, 1.0 - MIN_GUESS_FRACTION_FROM_ENDS);
     for _ in 0..100 {
         let [value, slope] = value_and_slope(c, t);
-        if positive(value) == rising {
+        if counts_as_positive(value) == rising {
             to = t;
         } else {
             from = t;
@@ -104,9 +105,9 @@ pub(super) fn bracketed<const M: usize>(c: &[f64; M], [low, high]: [f64; 2]) -> 
 mod tests {
     use super::*;
 
-    fn all_crossings<const M: usize>(c: [f64; M], ends: [bool; 2]) -> Vec<SignChange> {
+    fn all_crossings<const M: usize>(c: [f64; M], ends: [bool; 2]) -> Vec<SideSignChange> {
         let mut list = Vec::new();
-        crossings(&c, ends, |crossing| list.push(crossing));
+        find_sign_changes(&c, ends, |crossing| list.push(crossing));
         list
     }
 
@@ -114,7 +115,7 @@ mod tests {
     fn signs_at_the_ends_are_kept() {
         // A line through 1/2, with true and with false signs at its ends.
         let line = [-1.0, -1.0 / 3.0, 1.0 / 3.0, 1.0];
-        assert_eq!(all_crossings(line, [false, true]), [SignChange { t: 0.5, rising: true }]);
+        assert_eq!(all_crossings(line, [false, true]), [SideSignChange { t: 0.5, rising: true }]);
         for ends in [[true, true], [false, false], [true, false]] {
             let list = all_crossings(line, ends);
             let mut sign = ends[0];
@@ -127,7 +128,7 @@ mod tests {
         // The zero polynomial is positive. A value 0 at the start of a negative polynomial is a
         // root there.
         assert!(all_crossings([0.0; 4], [true, true]).is_empty());
-        assert_eq!(all_crossings([0.0, -1.0, -1.0, -1.0], [true, false]), [SignChange { t: 0.0, rising: false }]);
+        assert_eq!(all_crossings([0.0, -1.0, -1.0, -1.0], [true, false]), [SideSignChange { t: 0.0, rising: false }]);
         // The polynomial is 0 at an end, positive next to it, and changes sign elsewhere.
         let [inner] = all_crossings([-1.0, -0.1, 0.3, 0.0], [false, true])[..] else { panic!() };
         assert!(inner.rising && inner.t < 0.9 && value_and_slope(&[-1.0, -0.1, 0.3, 0.0], inner.t)[0].abs() < 1e-15);

@@ -1,15 +1,15 @@
 //! Sources of the fields over cells, one for each kind of query.
 
-use crate::axis::{Axis, TAPS};
-use crate::cells::{BLOCK, Cells};
-use crate::subdivision::Field;
+use crate::axis::{GridAxis, NODES_PER_CUBIC};
+use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
+use crate::subdivision::BernsteinField;
 use glam::{DVec2, DVec3};
 use gusset_base::geom::aabb::range;
 use std::ops::Range;
 
 /// How the fields of two cells agree along their common side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Continuity {
+pub(super) enum SideContinuity {
     /// The coefficients are equal to the last bit.
     Exact,
     /// The coefficients are equal except for rounding.
@@ -21,41 +21,46 @@ pub(super) enum Continuity {
 /// A field over each cell, for a number of levels.
 pub(super) trait ContourSource<const M: usize>: Sync {
     /// The data that the cells of a block share.
-    type Block;
+    type BlockData;
     /// The data that the levels of a cell share.
-    type Base;
+    type CellData;
     /// Memory that the work on successive blocks reuses.
-    type Cache: Default;
+    type BlockCache: Default;
 
     /// Prepares a block of cells; `None` if no level crosses it.
-    fn block(&self, cells: [Range<usize>; 2], cache: &mut Self::Cache) -> Option<Self::Block>;
+    fn prepare_block(&self, cells: [Range<usize>; 2], cache: &mut Self::BlockCache) -> Option<Self::BlockData>;
 
     /// False if no level crosses a cell, by a cheap test.
-    fn may_cross(&self, _block: &Self::Block, _cell: [usize; 2]) -> bool {
+    fn may_level_cross_cell(&self, _block: &Self::BlockData, _cell: [usize; 2]) -> bool {
         true
     }
 
     /// The data to test a cell by its corners, if they bound the field closely.
     #[inline]
-    fn corner_test(&self, _block: &Self::Block, _cell: [usize; 2]) -> Option<CornerTest> {
+    fn corner_test(&self, _block: &Self::BlockData, _cell: [usize; 2]) -> Option<CornerTest> {
         None
     }
 
     /// The coefficients of the field along a side, bit for bit as in the cell's field. Only for
     /// sources with [`ContourSource::corner_test`].
     #[inline]
-    fn side_coefficients(&self, _cell: [usize; 2], _side: usize, _level: usize) -> [f64; 4] {
+    fn field_coefficients_on_side(&self, _cell: [usize; 2], _side: usize, _level: usize) -> [f64; 4] {
         [0.0; 4]
     }
 
     /// The value that is subtracted for a level.
     #[inline]
-    fn level(&self, _level: usize) -> f64 {
+    fn level_value(&self, _level: usize) -> f64 {
         0.0
     }
 
     /// Prepares a cell, whether or not a level crosses it.
-    fn base(&self, block: &Self::Block, cell: [usize; 2], cache: &mut Self::Cache) -> CellBase<Self::Base>;
+    fn prepare_cell(
+        &self,
+        block: &Self::BlockData,
+        cell: [usize; 2],
+        cache: &mut Self::BlockCache,
+    ) -> PreparedCell<Self::CellData>;
 
     /// The number of levels, at least 1.
     fn level_count(&self) -> usize {
@@ -63,7 +68,7 @@ pub(super) trait ContourSource<const M: usize>: Sync {
     }
 
     /// The field whose zero set belongs to a level.
-    fn field(&self, base: &Self::Base, level: usize) -> Field<M>;
+    fn level_field(&self, base: &Self::CellData, level: usize) -> BernsteinField<M>;
 
     /// Whether an arc of the zero set of a cell's field belongs to the level, judged at three
     /// places on it. `None` if only a part of it does.
@@ -73,16 +78,16 @@ pub(super) trait ContourSource<const M: usize>: Sync {
 
     /// Bound of the deviation of the surface over a cell of the block, and of the field, from the
     /// bilinear ones through the cell's corners.
-    fn deviation(&self, _block: &Self::Block) -> f64 {
+    fn bilinear_deviation(&self, _block: &Self::BlockData) -> f64 {
         f64::INFINITY
     }
 
     /// How cells agree along their sides.
-    fn continuity(&self) -> Continuity;
+    fn side_continuity(&self) -> SideContinuity;
 }
 
 /// The data of a cell that its levels share.
-pub(super) struct CellBase<B> {
+pub(super) struct PreparedCell<B> {
     /// The levels that may cross the cell.
     pub(super) levels: Range<usize>,
     /// Values up to this may be 0.
@@ -91,11 +96,15 @@ pub(super) struct CellBase<B> {
     pub(super) data: B,
 }
 
-impl<const M: usize> CellBase<Field<M>> {
+impl<const M: usize> PreparedCell<BernsteinField<M>> {
     /// Prepares a field from which levels are subtracted.
     #[inline]
-    fn from_field(field: Field<M>, levels: &[f64], rounding_error: f64) -> Self {
-        CellBase { levels: levels_between(levels, field.range(), rounding_error), rounding_error, data: field }
+    fn from_field(field: BernsteinField<M>, levels: &[f64], rounding_error: f64) -> Self {
+        PreparedCell {
+            levels: levels_between(levels, field.coefficient_range(), rounding_error),
+            rounding_error,
+            data: field,
+        }
     }
 }
 
@@ -113,49 +122,49 @@ pub(super) struct CornerTest {
 
 /// The indices of the levels between `low` and `high`, with some slack. Levels are ascending.
 #[inline]
-pub(super) fn levels_between(levels: &[f64], [low, high]: [f64; 2], slack: f64) -> Range<usize> {
+pub(super) fn levels_between(levels: &[f64], [low, high]: [f64; 2], tolerance: f64) -> Range<usize> {
     if let &[level] = levels {
-        return 0..usize::from(low - slack <= level && level <= high + slack);
+        return 0..usize::from(low - tolerance <= level && level <= high + tolerance);
     }
-    let first = levels.partition_point(|&level| level < low - slack);
-    let count = levels[first..].partition_point(|&level| level <= high + slack);
+    let first = levels.partition_point(|&level| level < low - tolerance);
+    let count = levels[first..].partition_point(|&level| level <= high + tolerance);
     first..first + count
 }
 
 /// Number of nodes in one direction that the cells of a block depend on.
-const NODES_PER_WINDOW: usize = BLOCK + TAPS - 1;
+const NODES_PER_WINDOW: usize = CELLS_PER_BLOCK_SIDE + NODES_PER_CUBIC - 1;
 
 /// The scalars that the cells of a block depend on, and their weights.
 pub(super) struct ScalarWindow {
     start: [usize; 2],
     values: [[f64; NODES_PER_WINDOW]; NODES_PER_WINDOW],
     /// By direction and cell: the index of its first node.
-    first: [[usize; BLOCK]; 2],
-    rows: [[[f64; TAPS]; 4]; BLOCK],
+    first: [[usize; CELLS_PER_BLOCK_SIDE]; 2],
+    rows: [[[f64; NODES_PER_CUBIC]; 4]; CELLS_PER_BLOCK_SIDE],
     /// By cell, node and coefficient.
-    columns: [[[f64; 4]; TAPS]; BLOCK],
+    columns: [[[f64; 4]; NODES_PER_CUBIC]; CELLS_PER_BLOCK_SIDE],
 }
 
 impl ScalarWindow {
     /// Creates the window of the nodes that a block of cells depends on. `value` returns the scalar
     /// at a node.
-    fn new(axes: [&Axis; 2], cells: &[Range<usize>; 2], value: impl Fn(usize, usize) -> f64) -> Self {
+    fn new(axes: [&GridAxis; 2], cells: &[Range<usize>; 2], value: impl Fn(usize, usize) -> f64) -> Self {
         let mut window = ScalarWindow {
             start: [cells[0].start, cells[1].start],
             values: [[0.0; NODES_PER_WINDOW]; NODES_PER_WINDOW],
-            first: [[0; BLOCK]; 2],
-            rows: [[[0.0; TAPS]; 4]; BLOCK],
-            columns: [[[0.0; 4]; TAPS]; BLOCK],
+            first: [[0; CELLS_PER_BLOCK_SIDE]; 2],
+            rows: [[[0.0; NODES_PER_CUBIC]; 4]; CELLS_PER_BLOCK_SIDE],
+            columns: [[[0.0; 4]; NODES_PER_CUBIC]; CELLS_PER_BLOCK_SIDE],
         };
         let mut lines = [[0; NODES_PER_WINDOW]; 2];
         let mut counts = [0; 2];
         for (d, (axis, range)) in axes.into_iter().zip(cells).enumerate() {
-            let ([origin, ..], _) = axis.taps(range.start);
+            let ([origin, ..], _) = axis.nodes_and_weights(range.start);
             for (k, cell) in range.clone().enumerate() {
-                let (taps, weights) = axis.taps(cell);
+                let (taps, weights) = axis.nodes_and_weights(cell);
                 let first = if axis.is_closed() { k } else { taps[0] - origin };
-                lines[d][first..first + TAPS].copy_from_slice(&taps);
-                counts[d] = first + TAPS;
+                lines[d][first..first + NODES_PER_CUBIC].copy_from_slice(&taps);
+                counts[d] = first + NODES_PER_CUBIC;
                 window.first[d][k] = first;
                 if d == 0 {
                     window.rows[k] = *weights;
@@ -180,17 +189,17 @@ impl ScalarWindow {
     }
 
     /// The smallest and the largest scalar.
-    fn range(&self) -> [f64; 2] {
+    fn scalar_range(&self) -> [f64; 2] {
         range(self.values.as_flattened().iter().copied())
     }
 
     /// The field over a cell. Sums along the rows come first, then across, so that the coefficients
     /// of a common side have the same bits in both cells.
     #[inline]
-    fn field(&self, [i, j]: [usize; 2]) -> Field<4> {
+    fn cell_field(&self, [i, j]: [usize; 2]) -> BernsteinField<4> {
         let (r, c) = (i - self.start[0], j - self.start[1]);
         let (row, column) = (self.first[0][r], self.first[1][c]);
-        let mut along = [[0.0; 4]; TAPS];
+        let mut along = [[0.0; 4]; NODES_PER_CUBIC];
         for (sums, values) in along.iter_mut().zip(&self.values[row..]) {
             for (weights, value) in self.columns[c].iter().zip(&values[column..]) {
                 for (sum, weight) in sums.iter_mut().zip(weights) {
@@ -198,7 +207,7 @@ impl ScalarWindow {
                 }
             }
         }
-        let mut field = Field { c: [[0.0; 4]; 4] };
+        let mut field = BernsteinField { c: [[0.0; 4]; 4] };
         for (sums, weights) in field.c.iter_mut().zip(&self.rows[r]) {
             for (weight, values) in weights.iter().zip(&along) {
                 for (sum, value) in sums.iter_mut().zip(values) {
@@ -214,7 +223,7 @@ impl ScalarWindow {
 pub(super) struct NodalBlock {
     cells: [Range<usize>; 2],
     /// The scalars at the corners of cells, if the deviation is finite.
-    corners: [[f64; BLOCK + 1]; BLOCK + 1],
+    corners: [[f64; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1],
     /// Bound of how far the field over a cell may be outside the range of its corners.
     deviation: f64,
 }
@@ -244,8 +253,8 @@ impl NodalBlock {
 }
 
 /// Scalars at nodes, interpolated like the nodes.
-pub(super) struct Nodal<'a, F, D> {
-    pub(super) axes: [&'a Axis; 2],
+pub(super) struct NodalScalarSource<'a, F, D> {
+    pub(super) axes: [&'a GridAxis; 2],
     pub(super) value: F,
     pub(super) levels: &'a [f64],
     pub(super) rounding_error: f64,
@@ -257,19 +266,20 @@ pub(super) struct Nodal<'a, F, D> {
     pub(super) deviation: D,
 }
 
-impl<F, D> ContourSource<4> for Nodal<'_, F, D>
+impl<F, D> ContourSource<4> for NodalScalarSource<'_, F, D>
 where
     F: Fn(usize, usize) -> f64 + Sync,
     D: Fn(usize, usize) -> f64 + Sync,
 {
-    type Block = NodalBlock;
-    type Base = Field<4>;
-    type Cache = CachedWindow;
+    type BlockData = NodalBlock;
+    type CellData = BernsteinField<4>;
+    type BlockCache = CachedWindow;
 
     #[inline]
-    fn block(&self, cells: [Range<usize>; 2], cache: &mut CachedWindow) -> Option<NodalBlock> {
+    fn prepare_block(&self, cells: [Range<usize>; 2], cache: &mut CachedWindow) -> Option<NodalBlock> {
         let deviation = (self.deviation)(cells[0].start, cells[1].start);
-        let mut block = NodalBlock { cells, corners: [[0.0; BLOCK + 1]; BLOCK + 1], deviation };
+        let mut block =
+            NodalBlock { cells, corners: [[0.0; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1], deviation };
         if deviation.is_finite() {
             let [rows, columns] = &block.cells;
             for (i, values) in (rows.start..=rows.end).zip(&mut block.corners) {
@@ -279,13 +289,13 @@ where
             }
             return Some(block);
         }
-        let [low, high] = self.window(&block, cache).range();
+        let [low, high] = self.cached_window(&block, cache).scalar_range();
         let slack = 0.5 * self.excess * (high - low) + self.rounding_error;
         (!levels_between(self.levels, [low, high], slack).is_empty()).then_some(block)
     }
 
     #[inline]
-    fn may_cross(&self, block: &NodalBlock, cell: [usize; 2]) -> bool {
+    fn may_level_cross_cell(&self, block: &NodalBlock, cell: [usize; 2]) -> bool {
         !levels_between(self.levels, block.value_range(cell), self.rounding_error).is_empty()
     }
 
@@ -302,29 +312,36 @@ where
     }
 
     #[inline]
-    fn level(&self, level: usize) -> f64 {
+    fn level_value(&self, level: usize) -> f64 {
         self.levels[level]
     }
 
     #[inline]
-    fn side_coefficients(&self, [i, j]: [usize; 2], side: usize, level: usize) -> [f64; 4] {
+    fn field_coefficients_on_side(&self, [i, j]: [usize; 2], side: usize, level: usize) -> [f64; 4] {
         let along_u = side.is_multiple_of(2);
         let across = if along_u { j } else { i } + usize::from(side == 1 || side == 2);
         let (axis, cell) = if along_u { (self.axes[0], i) } else { (self.axes[1], j) };
-        let ((lines, weights), place) = (axis.taps(cell), axis.place(cell));
-        let mut values = [0.0; TAPS];
+        let ((lines, weights), place) = (axis.nodes_and_weights(cell), axis.position_among_nodes(cell));
+        let mut values = [0.0; NODES_PER_CUBIC];
         for (value, line) in values.iter_mut().zip(lines) {
             *value = if along_u { (self.value)(line, across) } else { (self.value)(across, line) };
         }
         // Sums in the same order as the window, so that results have the same bits.
-        let sum = |weights: &[f64; TAPS]| weights.iter().zip(&values).fold(0.0, |sum, (weight, x)| sum + weight * x);
+        let sum = |weights: &[f64; NODES_PER_CUBIC]| {
+            weights.iter().zip(&values).fold(0.0, |sum, (weight, x)| sum + weight * x)
+        };
         let (inner, level) = ([sum(&weights[1]), sum(&weights[2])], self.levels[level]);
         [values[place] - level, inner[0] - level, inner[1] - level, values[place + 1] - level]
     }
 
     #[inline]
-    fn base(&self, block: &NodalBlock, cell: [usize; 2], cache: &mut CachedWindow) -> CellBase<Field<4>> {
-        CellBase::from_field(self.window(block, cache).field(cell), self.levels, self.rounding_error)
+    fn prepare_cell(
+        &self,
+        block: &NodalBlock,
+        cell: [usize; 2],
+        cache: &mut CachedWindow,
+    ) -> PreparedCell<BernsteinField<4>> {
+        PreparedCell::from_field(self.cached_window(block, cache).cell_field(cell), self.levels, self.rounding_error)
     }
 
     fn level_count(&self) -> usize {
@@ -332,22 +349,22 @@ where
     }
 
     #[inline]
-    fn field(&self, base: &Field<4>, level: usize) -> Field<4> {
+    fn level_field(&self, base: &BernsteinField<4>, level: usize) -> BernsteinField<4> {
         subtract_level(base, self.levels[level])
     }
 
     #[inline]
-    fn deviation(&self, block: &NodalBlock) -> f64 {
+    fn bilinear_deviation(&self, block: &NodalBlock) -> f64 {
         block.deviation
     }
 
-    fn continuity(&self) -> Continuity {
-        Continuity::Exact
+    fn side_continuity(&self) -> SideContinuity {
+        SideContinuity::Exact
     }
 }
 
-impl<F: Fn(usize, usize) -> f64, D> Nodal<'_, F, D> {
-    fn window<'a>(&self, block: &NodalBlock, cache: &'a mut CachedWindow) -> &'a ScalarWindow {
+impl<F: Fn(usize, usize) -> f64, D> NodalScalarSource<'_, F, D> {
+    fn cached_window<'a>(&self, block: &NodalBlock, cache: &'a mut CachedWindow) -> &'a ScalarWindow {
         let first = [block.cells[0].start, block.cells[1].start];
         if cache.as_ref().is_some_and(|(of, _)| *of != first) {
             *cache = None;
@@ -358,12 +375,12 @@ impl<F: Fn(usize, usize) -> f64, D> Nodal<'_, F, D> {
 
 /// The field minus a number.
 #[inline]
-fn subtract_level<const M: usize>(base: &Field<M>, level: f64) -> Field<M> {
-    Field { c: base.c.map(|row| row.map(|x| x - level)) }
+fn subtract_level<const M: usize>(base: &BernsteinField<M>, level: f64) -> BernsteinField<M> {
+    BernsteinField { c: base.c.map(|row| row.map(|x| x - level)) }
 }
 
 /// The signed distance from a plane, on patches.
-pub(super) struct Plane<'a, C, const N: usize> {
+pub(super) struct PlaneDistanceSource<'a, C, const N: usize> {
     pub(super) cells: &'a C,
     pub(super) normal: DVec3,
     pub(super) origin: DVec3,
@@ -371,30 +388,31 @@ pub(super) struct Plane<'a, C, const N: usize> {
     pub(super) rounding_error: f64,
 }
 
-impl<C: Cells<N>, const N: usize> ContourSource<N> for Plane<'_, C, N> {
-    type Block = ();
-    type Base = Field<N>;
-    type Cache = ();
+impl<C: SheetCells<N>, const N: usize> ContourSource<N> for PlaneDistanceSource<'_, C, N> {
+    type BlockData = ();
+    type CellData = BernsteinField<N>;
+    type BlockCache = ();
 
-    fn block(&self, _: [Range<usize>; 2], (): &mut ()) -> Option<()> {
+    fn prepare_block(&self, _: [Range<usize>; 2], (): &mut ()) -> Option<()> {
         Some(())
     }
 
-    fn base(&self, (): &(), [i, j]: [usize; 2], (): &mut ()) -> CellBase<Field<N>> {
-        let patch = self.cells.patch(i, j);
-        let heights = Field { c: patch.points.map(|row| row.map(|point| (point - self.origin).dot(self.normal))) };
-        CellBase::from_field(heights, self.levels, self.rounding_error)
+    fn prepare_cell(&self, (): &(), [i, j]: [usize; 2], (): &mut ()) -> PreparedCell<BernsteinField<N>> {
+        let patch = self.cells.cell_patch(i, j);
+        let heights =
+            BernsteinField { c: patch.points.map(|row| row.map(|point| (point - self.origin).dot(self.normal))) };
+        PreparedCell::from_field(heights, self.levels, self.rounding_error)
     }
 
     fn level_count(&self) -> usize {
         self.levels.len().max(1)
     }
 
-    fn field(&self, base: &Field<N>, level: usize) -> Field<N> {
+    fn level_field(&self, base: &BernsteinField<N>, level: usize) -> BernsteinField<N> {
         subtract_level(base, self.levels[level])
     }
 
-    fn continuity(&self) -> Continuity {
-        Continuity::Discontinuous
+    fn side_continuity(&self) -> SideContinuity {
+        SideContinuity::Discontinuous
     }
 }

@@ -15,7 +15,7 @@ mod schedule;
 mod slab;
 
 pub(crate) use boxes::OrientedBox;
-pub(crate) use cones::Cones;
+pub(crate) use cones::ConePyramid;
 pub use cones::NormalCone;
-pub(crate) use pyramid::Pyramid;
-pub(crate) use slab::Slab;
+pub(crate) use pyramid::BoxPyramid;
+pub(crate) use slab::LineSlabTest;

@@ -10,50 +10,50 @@
 //!
 //! Each bound costs O(N^2). The tolerance of queries covers the rounding of the few operations.
 
-use super::foot::Foot;
+use super::foot::FootPoint;
 use crate::Patch;
 use glam::{DVec2, DVec3};
 use gusset_base::geom::aabb::Aabb;
 
-/// A lower bound of the distance of a patch, at least `known`. Uses the half-space at the foot, and
-/// the more expensive convexity if that proves too little for the tolerance.
-pub(super) fn lower_bound<const N: usize>(
+/// A lower bound of the distance of a patch, at least `known_bound`. Uses the half-space at the
+/// foot, and the more expensive convexity if that proves too little for the tolerance.
+pub(super) fn patch_distance_bound<const N: usize>(
     patch: &Patch<N>,
     query: DVec3,
-    foot: &Foot,
-    known: f64,
+    foot: &FootPoint,
+    known_bound: f64,
     tolerance: f64,
 ) -> f64 {
     let direction = (query - foot.jet.point).normalize_or_zero();
-    let bound = known.max(patch.half_space_distance(query, direction));
-    if bound >= foot.distance - tolerance { bound } else { bound.max(patch.convexity_distance(query, foot)) }
+    let bound = known_bound.max(patch.distance_bound_by_half_space(query, direction));
+    if bound >= foot.distance - tolerance { bound } else { bound.max(patch.distance_bound_by_convexity(query, foot)) }
 }
 
 impl<const N: usize> Patch<N> {
     /// The box bound.
-    pub(super) fn box_distance(&self, query: DVec3) -> f64 {
+    pub(super) fn distance_bound_by_box(&self, query: DVec3) -> f64 {
         Aabb::from_points(self.points.as_flattened()).axis_distances(query).length()
     }
 
     /// The half-space bound. `direction` is a unit vector or zero. The best one points from the
     /// nearest point to the query.
     #[inline]
-    pub(super) fn half_space_distance(&self, query: DVec3, direction: DVec3) -> f64 {
+    pub(super) fn distance_bound_by_half_space(&self, query: DVec3, direction: DVec3) -> f64 {
         let along = self.points.as_flattened().iter().map(|&point| (query - point).dot(direction));
         along.fold(f64::INFINITY, |least, along| if along < least { along } else { least }).max(0.0)
     }
 
     /// An upper bound of the distances of all points of the patch: the largest distance of a
     /// control point.
-    pub(super) fn max_distance(&self, query: DVec3) -> f64 {
+    pub(super) fn max_control_distance(&self, query: DVec3) -> f64 {
         let squares = self.points.as_flattened().iter().map(|point| point.distance_squared(query));
         squares.fold(0.0, f64::max).sqrt()
     }
 
     /// The convexity bound; 0 if the Hessian may be indefinite somewhere.
-    pub(super) fn convexity_distance(&self, query: DVec3, foot: &Foot) -> f64 {
+    pub(super) fn distance_bound_by_convexity(&self, query: DVec3, foot: &FootPoint) -> f64 {
         let at_middle =
-            || self.hessian_range(query, &Foot::from_place(self, query, DVec2::splat(0.5))).min_eigenvalue();
+            || self.hessian_range(query, &FootPoint::from_place(self, query, DVec2::splat(0.5))).min_eigenvalue();
         let at_foot = self.hessian_range(query, foot).min_eigenvalue();
         let Some(least) = at_foot.or_else(at_middle) else { return 0.0 };
         let gain = foot.projected_gradient(query).length_squared() / least;
@@ -66,37 +66,37 @@ impl<const N: usize> Patch<N> {
     /// H_ab = S_a . S_b + (S - q) . S_ab. The deviations from place x obey |S_u - S_u(x)| <= |du|
     /// max |S_uu| + |dv| max |S_uv|. Let r be the largest distance of a control point from S(x),
     /// which bounds |S - S(x)|. Then (S - q) . S_ab is within r max |S_ab| of (S(x) - q) . S_ab.
-    pub(super) fn hessian_range(&self, query: DVec3, foot: &Foot) -> HessianRange {
+    pub(super) fn hessian_range(&self, query: DVec3, foot: &FootPoint) -> HessianEntryRanges {
         let p = &self.points;
         let from = foot.jet.point - query;
-        let radius = self.max_distance(foot.jet.point);
+        let radius = self.max_control_distance(foot.jet.point);
         let degree = (N - 1) as f64;
         let twice = degree * (degree - 1.0);
-        let (mut uu, mut uv, mut vv) = (ProductRange::EMPTY, ProductRange::EMPTY, ProductRange::EMPTY);
+        let (mut uu, mut uv, mut vv) = (DotProductRange::EMPTY, DotProductRange::EMPTY, DotProductRange::EMPTY);
         for a in 0..N {
             for b in 0..N {
                 if a + 2 < N {
-                    uu.add(from, p[a + 2][b] - 2.0 * p[a + 1][b] + p[a][b]);
-                    vv.add(from, p[b][a + 2] - 2.0 * p[b][a + 1] + p[b][a]);
+                    uu.add_product(from, p[a + 2][b] - 2.0 * p[a + 1][b] + p[a][b]);
+                    vv.add_product(from, p[b][a + 2] - 2.0 * p[b][a + 1] + p[b][a]);
                 }
                 if a + 1 < N && b + 1 < N {
-                    uv.add(from, p[a + 1][b + 1] - p[a + 1][b] - p[a][b + 1] + p[a][b]);
+                    uv.add_product(from, p[a + 1][b + 1] - p[a + 1][b] - p[a][b + 1] + p[a][b]);
                 }
             }
         }
-        let [uu, uv, vv] = [uu.scaled(twice), uv.scaled(degree * degree), vv.scaled(twice)];
+        let [uu, uv, vv] = [uu.scale_products(twice), uv.scale_products(degree * degree), vv.scale_products(twice)];
         let (u, v) = (foot.jet.u.length(), foot.jet.v.length());
         let farthest = foot.place.max(DVec2::ONE - foot.place);
         let off_u = farthest.x * uu.max_length + farthest.y * uv.max_length;
         let off_v = farthest.x * uv.max_length + farthest.y * vv.max_length;
-        let diagonal = |length: f64, off: f64, second: ProductRange| {
+        let diagonal = |length: f64, off: f64, second: DotProductRange| {
             let (min, max) = ((length - off).max(0.0), length + off);
             let slack = radius * second.max_length;
             [min * min + second.low - slack, max * max + second.high + slack]
         };
         let middle = foot.jet.u.dot(foot.jet.v);
         let slack = u * off_v + v * off_u + off_u * off_v + radius * uv.max_length;
-        HessianRange {
+        HessianEntryRanges {
             uu: diagonal(u, off_u, uu),
             uv: [middle + uv.low - slack, middle + uv.high + slack],
             vv: diagonal(v, off_v, vv),
@@ -106,13 +106,13 @@ impl<const N: usize> Patch<N> {
 
 /// Ranges of second derivatives over a patch.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct HessianRange {
+pub(super) struct HessianEntryRanges {
     uu: [f64; 2],
     uv: [f64; 2],
     vv: [f64; 2],
 }
 
-impl HessianRange {
+impl HessianEntryRanges {
     /// A lower bound of the eigenvalues, if it is positive.
     #[inline]
     pub(super) fn min_eigenvalue(&self) -> Option<f64> {
@@ -136,50 +136,54 @@ impl HessianRange {
 
 /// The range of the products of some vectors with a given one, and their largest length.
 #[derive(Clone, Copy)]
-struct ProductRange {
+struct DotProductRange {
     low: f64,
     high: f64,
     max_length: f64,
 }
 
-impl ProductRange {
-    const EMPTY: ProductRange = ProductRange { low: f64::INFINITY, high: f64::NEG_INFINITY, max_length: 0.0 };
+impl DotProductRange {
+    const EMPTY: DotProductRange = DotProductRange { low: f64::INFINITY, high: f64::NEG_INFINITY, max_length: 0.0 };
 
-    /// `max_length` holds the square until [`ProductRange::scaled`] is called.
+    /// `max_length` holds the square until [`DotProductRange::scale_products`] is called.
     #[inline(always)]
-    fn add(&mut self, from: DVec3, vector: DVec3) {
+    fn add_product(&mut self, from: DVec3, vector: DVec3) {
         let along = from.dot(vector);
         self.low = self.low.min(along);
         self.high = self.high.max(along);
         self.max_length = self.max_length.max(vector.length_squared());
     }
 
-    fn scaled(self, factor: f64) -> ProductRange {
-        ProductRange { low: factor * self.low, high: factor * self.high, max_length: factor * self.max_length.sqrt() }
+    fn scale_products(self, factor: f64) -> DotProductRange {
+        DotProductRange {
+            low: factor * self.low,
+            high: factor * self.high,
+            max_length: factor * self.max_length.sqrt(),
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::foot::{MAX_STEPS, minimise};
+    use super::super::foot::{MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot};
     use super::*;
     use gusset_base::testing::cases;
 
     /// A patch through control points z(a, b) over a square grid.
-    fn graph(z: impl Fn(usize, usize) -> f64) -> Patch<4> {
+    fn graph_patch(z: impl Fn(usize, usize) -> f64) -> Patch<4> {
         let point = |a: usize, b: usize| DVec3::new(a as f64 / 3.0, b as f64 / 3.0, z(a, b));
         Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
     }
 
-    fn rough(seed: usize) -> Patch<4> {
-        graph(|a, b| ((7 * seed + 5 * a + 3 * b) as f64 * 12.9898).sin())
+    fn rough_patch(seed: usize) -> Patch<4> {
+        graph_patch(|a, b| ((7 * seed + 5 * a + 3 * b) as f64 * 12.9898).sin())
     }
 
-    fn places() -> impl Iterator<Item = DVec2> {
+    fn sample_places() -> impl Iterator<Item = DVec2> {
         (0..=400).map(|k| DVec2::new(f64::from(k / 21), f64::from(k % 21)) / 20.0).filter(|place| place.x <= 1.0)
     }
 
-    fn queries() -> impl Iterator<Item = DVec3> {
+    fn sample_queries() -> impl Iterator<Item = DVec3> {
         (0..40).map(|k| {
             let t = f64::from(k);
             DVec3::new(0.5 + t.sin(), 0.5 + (2.0 * t).cos(), (0.7 * t).sin()) * [0.3, 1.0, 5.0, 1.5][k as usize % 4]
@@ -190,21 +194,21 @@ mod tests {
     /// the upper one.
     #[test]
     fn bounds_contain_sampled_distances() {
-        for (seed, query) in (0..cases(20) as usize).flat_map(|seed| queries().map(move |query| (seed, query))) {
-            let patch = rough(seed);
-            let distances = || places().map(|place| patch.point(place.x, place.y).distance(query));
+        for (seed, query) in (0..cases(20) as usize).flat_map(|seed| sample_queries().map(move |query| (seed, query))) {
+            let patch = rough_patch(seed);
+            let distances = || sample_places().map(|place| patch.point(place.x, place.y).distance(query));
             let (min, max) = distances().fold((f64::INFINITY, 0.0_f64), |(a, b), x| (a.min(x), b.max(x)));
-            assert!(patch.max_distance(query) >= max);
-            assert!(patch.box_distance(query) <= min);
+            assert!(patch.max_control_distance(query) >= max);
+            assert!(patch.distance_bound_by_box(query) <= min);
             for target in [patch.point(0.5, 0.5), patch.point(0.0, 1.0)] {
-                assert!(patch.half_space_distance(query, (query - target).normalize()) <= min + 1e-12);
+                assert!(patch.distance_bound_by_half_space(query, (query - target).normalize()) <= min + 1e-12);
             }
             for start in [DVec2::splat(0.5), DVec2::ZERO] {
-                let foot = minimise(&patch, query, start, MAX_STEPS);
+                let foot = descend_to_foot(&patch, query, start, MAX_NEWTON_STEPS_ON_PATCH);
                 // The foot may be in another valley, because the bound holds for the whole patch.
-                assert!(patch.convexity_distance(query, &foot) <= min + 1e-12, "{seed} {query}");
-                assert!(lower_bound(&patch, query, &foot, 0.0, 0.0) <= min + 1e-12, "{seed} {query}");
-                assert!(lower_bound(&patch, query, &foot, 0.25 * min, 0.0) >= 0.25 * min);
+                assert!(patch.distance_bound_by_convexity(query, &foot) <= min + 1e-12, "{seed} {query}");
+                assert!(patch_distance_bound(&patch, query, &foot, 0.0, 0.0) <= min + 1e-12, "{seed} {query}");
+                assert!(patch_distance_bound(&patch, query, &foot, 0.25 * min, 0.0) >= 0.25 * min);
             }
         }
     }
@@ -213,51 +217,51 @@ mod tests {
     /// slow.
     #[test]
     fn bounds_are_tight_on_a_plane() {
-        let patch = graph(|_, _| 0.0);
+        let patch = graph_patch(|_, _| 0.0);
         for (query, nearest) in [
             (DVec3::new(0.4, 0.7, 2.0), DVec3::new(0.4, 0.7, 0.0)),
             (DVec3::new(-3.0, 0.5, 4.0), DVec3::new(0.0, 0.5, 0.0)),
             (DVec3::new(2.0, -1.0, -1.0), DVec3::new(1.0, 0.0, 0.0)),
         ] {
             let truth = query.distance(nearest);
-            let foot = minimise(&patch, query, DVec2::splat(0.5), MAX_STEPS);
+            let foot = descend_to_foot(&patch, query, DVec2::splat(0.5), MAX_NEWTON_STEPS_ON_PATCH);
             assert!((foot.distance - truth).abs() < 1e-12);
-            assert!((patch.box_distance(query) - truth).abs() < 1e-12);
-            assert!((patch.half_space_distance(query, (query - nearest).normalize()) - truth).abs() < 1e-12);
-            assert!((patch.convexity_distance(query, &foot) - truth).abs() < 1e-12);
-            assert!((lower_bound(&patch, query, &foot, 0.0, 1e-9) - truth).abs() <= 1e-9);
+            assert!((patch.distance_bound_by_box(query) - truth).abs() < 1e-12);
+            assert!((patch.distance_bound_by_half_space(query, (query - nearest).normalize()) - truth).abs() < 1e-12);
+            assert!((patch.distance_bound_by_convexity(query, &foot) - truth).abs() < 1e-12);
+            assert!((patch_distance_bound(&patch, query, &foot, 0.0, 1e-9) - truth).abs() <= 1e-9);
         }
-        assert!((patch.max_distance(DVec3::ZERO) - 2.0_f64.sqrt()).abs() < 1e-12);
+        assert!((patch.max_control_distance(DVec3::ZERO) - 2.0_f64.sqrt()).abs() < 1e-12);
         // A bowl seen from within: only convexity proves that its bottom is the nearest point.
         let profile = [0.024, -0.008, -0.008, 0.024];
-        let bowl = graph(|a, b| profile[a] + profile[b]);
+        let bowl = graph_patch(|a, b| profile[a] + profile[b]);
         let query = DVec3::new(0.5, 0.5, 1.0);
-        let foot = minimise(&bowl, query, DVec2::new(0.2, 0.9), MAX_STEPS);
+        let foot = descend_to_foot(&bowl, query, DVec2::new(0.2, 0.9), MAX_NEWTON_STEPS_ON_PATCH);
         let direction = (query - foot.jet.point).normalize();
-        assert!(bowl.half_space_distance(query, direction) < foot.distance - 0.04);
-        assert!(lower_bound(&bowl, query, &foot, 0.0, 0.0) >= foot.distance - 1e-12);
+        assert!(bowl.distance_bound_by_half_space(query, direction) < foot.distance - 0.04);
+        assert!(patch_distance_bound(&bowl, query, &foot, 0.0, 0.0) >= foot.distance - 1e-12);
     }
 
     /// Waves seen from the side: the Hessian is indefinite, and only the half-space bound proves
     /// the minimum.
     #[test]
     fn half_space_proves_where_convexity_fails() {
-        let patch = graph(|a, _| [0.0, 9.0, -9.0, 9.0][a]);
+        let patch = graph_patch(|a, _| [0.0, 9.0, -9.0, 9.0][a]);
         let query = DVec3::new(-10.0, 0.5, 0.0);
-        let foot = Foot::from_place(&patch, query, DVec2::new(0.0, 0.5));
-        assert_eq!(patch.convexity_distance(query, &foot), 0.0);
-        assert!((lower_bound(&patch, query, &foot, 0.0, 0.0) - 10.0).abs() < 1e-12);
+        let foot = FootPoint::from_place(&patch, query, DVec2::new(0.0, 0.5));
+        assert_eq!(patch.distance_bound_by_convexity(query, &foot), 0.0);
+        assert!((patch_distance_bound(&patch, query, &foot, 0.0, 0.0) - 10.0).abs() < 1e-12);
     }
 
     /// Away from the nearest point, where the second derivatives are 1 and 100. The smaller one
     /// determines the bound.
     #[test]
     fn remaining_gain_is_bounded() {
-        let mut patch = graph(|_, _| 0.0);
+        let mut patch = graph_patch(|_, _| 0.0);
         patch.points.as_flattened_mut().iter_mut().for_each(|point| point.y *= 10.0);
         let query = DVec3::new(0.9, 5.0, 0.3);
-        let foot = Foot::from_place(&patch, query, DVec2::new(0.1, 0.5));
-        let bound = patch.convexity_distance(query, &foot);
+        let foot = FootPoint::from_place(&patch, query, DVec2::new(0.1, 0.5));
+        let bound = patch.distance_bound_by_convexity(query, &foot);
         assert!(bound <= 0.3 && bound > 0.28, "{bound}");
     }
 
@@ -269,23 +273,23 @@ mod tests {
         // z = STEEP u^2, STEEP v^2 and STEEP u v as Bezier patches.
         let square = |k: usize| [0.0, 0.0, 1.0 / 3.0, 1.0][k];
         let sheets = [
-            graph(|a, _| STEEP * square(a)),
-            graph(|_, b| STEEP * square(b)),
-            graph(|a, b| STEEP * (a * b) as f64 / 9.0),
+            graph_patch(|a, _| STEEP * square(a)),
+            graph_patch(|_, b| STEEP * square(b)),
+            graph_patch(|a, b| STEEP * (a * b) as f64 / 9.0),
         ];
-        let at = |foot: &Foot, query: DVec3| {
+        let at = |foot: &FootPoint, query: DVec3| {
             let (_, hessian) = super::super::foot::gradient_and_hessian(&foot.jet, query);
             [hessian.x_axis.x, hessian.x_axis.y, hessian.y_axis.y]
         };
         let mut widest = [0.0_f64; 3];
-        let all = sheets.into_iter().chain((0..cases(20) as usize).map(rough)).enumerate();
+        let all = sheets.into_iter().chain((0..cases(20) as usize).map(rough_patch)).enumerate();
         for (k, patch) in all {
-            for (query, from) in queries().flat_map(|query| [0.0, 0.5, 1.0].map(|t| (query, DVec2::splat(t)))) {
-                let range = patch.hessian_range(query, &Foot::from_place(&patch, query, from));
+            for (query, from) in sample_queries().flat_map(|query| [0.0, 0.5, 1.0].map(|t| (query, DVec2::splat(t)))) {
+                let range = patch.hessian_range(query, &FootPoint::from_place(&patch, query, from));
                 let range = [range.uu, range.uv, range.vv];
                 let mut found = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
-                for place in places() {
-                    let values = at(&Foot::from_place(&patch, query, place), query);
+                for place in sample_places() {
+                    let values = at(&FootPoint::from_place(&patch, query, place), query);
                     for ([low, high], x) in found.iter_mut().zip(values) {
                         (*low, *high) = (low.min(x), high.max(x));
                     }

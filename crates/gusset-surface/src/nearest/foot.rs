@@ -4,62 +4,69 @@
 //! "Projected Newton methods for optimization problems with simple constraints"). Uses Gauss-Newton
 //! steps where the Hessian is not positive definite, steepest descent where those overshoot, and
 //! backtracking. Invariant: the distance decreases with each step. The result is not proven; see
-//! `bounds`. At most [`MAX_STEPS`] steps.
+//! `bounds`. At most [`MAX_NEWTON_STEPS_ON_PATCH`] steps.
 
 use crate::{Jet, Patch};
 use glam::{DMat2, DVec2, DVec3};
 
 /// Largest number of Newton steps on a patch.
-pub(super) const MAX_STEPS: usize = 24;
+pub(super) const MAX_NEWTON_STEPS_ON_PATCH: usize = 24;
 /// Largest number of Newton steps on a part of a patch. If more are needed, splitting is more
 /// effective.
-pub(super) const MAX_STEPS_ON_PART: usize = 6;
+pub(super) const MAX_NEWTON_STEPS_ON_PART: usize = 6;
 /// A full step shorter than this, in parameters, is the last one, because the next one would be its
 /// square.
 const LAST_STEP_LENGTH: f64 = 1e-7;
 /// A parameter within this distance of a border counts as on it.
-const BORDER_ROUNDING: f64 = 1e-13;
+const MAX_DISTANCE_ON_BORDER: f64 = 1e-13;
 
 /// A point of a patch, with its derivatives and its distance from the query.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Foot {
+pub(super) struct FootPoint {
     pub(super) place: DVec2,
     pub(super) jet: Jet,
     pub(super) distance: f64,
 }
 
-impl Foot {
-    pub(super) fn from_place<const N: usize>(patch: &Patch<N>, query: DVec3, place: DVec2) -> Foot {
+impl FootPoint {
+    pub(super) fn from_place<const N: usize>(patch: &Patch<N>, query: DVec3, place: DVec2) -> FootPoint {
         let jet = patch.jet(place.x, place.y);
-        Foot { place, jet, distance: jet.point.distance(query) }
+        FootPoint { place, jet, distance: jet.point.distance(query) }
     }
 
     /// The gradient of |S - q|^2 / 2. Components that point out of the patch are set to 0.
     pub(super) fn projected_gradient(&self, query: DVec3) -> DVec2 {
         let (gradient, _) = gradient_and_hessian(&self.jet, query);
-        DVec2::from_array([0, 1].map(|k| if is_blocked(self.place[k], gradient[k]) { 0.0 } else { gradient[k] }))
+        DVec2::from_array(
+            [0, 1].map(|k| if is_step_blocked_by_border(self.place[k], gradient[k]) { 0.0 } else { gradient[k] }),
+        )
     }
 }
 
 /// Descends from `start` to a place from which no permitted step goes down, within rounding.
-pub(super) fn minimise<const N: usize>(patch: &Patch<N>, query: DVec3, start: DVec2, steps: usize) -> Foot {
-    let mut foot = Foot::from_place(patch, query, start.clamp(DVec2::ZERO, DVec2::ONE));
-    for _ in 0..steps {
+pub(super) fn descend_to_foot<const N: usize>(
+    patch: &Patch<N>,
+    query: DVec3,
+    start: DVec2,
+    max_steps: usize,
+) -> FootPoint {
+    let mut foot = FootPoint::from_place(patch, query, start.clamp(DVec2::ZERO, DVec2::ONE));
+    for _ in 0..max_steps {
         let (gradient, hessian) = gradient_and_hessian(&foot.jet, query);
-        let free = [0, 1].map(|k| !is_blocked(foot.place[k], gradient[k]));
+        let free = [0, 1].map(|k| !is_step_blocked_by_border(foot.place[k], gradient[k]));
         let Some(step) = newton_step(gradient, hessian, &foot.jet, free) else { break };
-        let (next, done) = match backtrack(patch, query, &foot, step) {
-            Trial::Down { next, whole } => {
+        let (next, done) = match try_shorter_steps(patch, query, &foot, step) {
+            StepOutcome::Down { next, whole } => {
                 (next, whole && (next.place - foot.place).abs().max_element() < LAST_STEP_LENGTH)
             }
-            Trial::Ended => break,
-            Trial::Overshot => {
+            StepOutcome::Ended => break,
+            StepOutcome::Overshot => {
                 // Steepest descent, with each parameter scaled separately.
                 let squares = DVec2::new(foot.jet.u.length_squared(), foot.jet.v.length_squared());
                 let slope = gradient / squares.max(DVec2::splat(f64::MIN_POSITIVE));
                 let slope = DVec2::from_array([0, 1].map(|k| if free[k] { slope[k] } else { 0.0 }));
-                match backtrack(patch, query, &foot, slope) {
-                    Trial::Down { next, .. } => (next, false),
+                match try_shorter_steps(patch, query, &foot, slope) {
+                    StepOutcome::Down { next, .. } => (next, false),
                     _ => break,
                 }
             }
@@ -73,10 +80,10 @@ pub(super) fn minimise<const N: usize>(patch: &Patch<N>, query: DVec3, start: DV
 }
 
 /// The outcome of a step.
-enum Trial {
+enum StepOutcome {
     /// The first of successively shorter steps that decreases the distance. `whole`: it was the
     /// full step.
-    Down { next: Foot, whole: bool },
+    Down { next: FootPoint, whole: bool },
     /// The steps became so short that rounding decides.
     Ended,
     /// No step decreases the distance.
@@ -84,32 +91,32 @@ enum Trial {
 }
 
 /// Tries a step, then shorter ones, beginning with the size of the patch.
-fn backtrack<const N: usize>(patch: &Patch<N>, query: DVec3, foot: &Foot, step: DVec2) -> Trial {
+fn try_shorter_steps<const N: usize>(patch: &Patch<N>, query: DVec3, foot: &FootPoint, step: DVec2) -> StepOutcome {
     let bounded = step.abs().max_element().max(1.0).recip();
     let mut length = 1.0;
     while length > 1e-3 * bounded {
         let place = (foot.place - length * step).clamp(DVec2::ZERO, DVec2::ONE);
         let moved = (place - foot.place).abs().max_element();
         if moved <= 1e-14 {
-            return Trial::Ended;
+            return StepOutcome::Ended;
         }
-        let next = Foot::from_place(patch, query, place);
+        let next = FootPoint::from_place(patch, query, place);
         if next.distance < foot.distance {
-            return Trial::Down { next, whole: length == 1.0 };
+            return StepOutcome::Down { next, whole: length == 1.0 };
         }
         // This close to the minimum, rounding decides.
         if moved < LAST_STEP_LENGTH {
-            return Trial::Ended;
+            return StepOutcome::Ended;
         }
         length = 0.25 * length.min(bounded);
     }
-    Trial::Overshot
+    StepOutcome::Overshot
 }
 
 /// True if the descent would cross a border that the place is on, or so close to that the step
 /// would end at once.
-fn is_blocked(at: f64, slope: f64) -> bool {
-    (at <= BORDER_ROUNDING && slope > 0.0) || (at >= 1.0 - BORDER_ROUNDING && slope < 0.0)
+fn is_step_blocked_by_border(at: f64, slope: f64) -> bool {
+    (at <= MAX_DISTANCE_ON_BORDER && slope > 0.0) || (at >= 1.0 - MAX_DISTANCE_ON_BORDER && slope < 0.0)
 }
 
 /// The gradient and the Hessian of |S - q|^2 / 2.

@@ -6,10 +6,10 @@
 //! `corners` then exclude most cells. The others become candidates with a lower bound and a start
 //! for the descent. O(1).
 
-use super::corners::{BlockCorners, DisplacementBox, min};
-use super::incumbent::UpperBound;
-use crate::cells::{BLOCK, Cells};
-use crate::index::Pyramid;
+use super::corners::{BlockCorners, CentredDisplacementBox, min_ignoring_nan};
+use super::incumbent::DistanceUpperBound;
+use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
+use crate::index::BoxPyramid;
 use glam::{DVec2, DVec3};
 
 /// A cell that may contain the nearest point.
@@ -25,14 +25,14 @@ pub(super) struct CellCandidate {
 }
 
 /// A block of the lowest level.
-pub(super) struct BlockLeaf<'a, C, const N: usize> {
+pub(super) struct CandidateBlock<'a, C, const N: usize> {
     pub(super) cells: &'a C,
-    pub(super) index: &'a Pyramid,
+    pub(super) index: &'a BoxPyramid,
     pub(super) row: usize,
     pub(super) column: usize,
 }
 
-impl<C: Cells<N>, const N: usize> BlockLeaf<'_, C, N> {
+impl<C: SheetCells<N>, const N: usize> CandidateBlock<'_, C, N> {
     /// Lowers the upper bound, and adds the cells that may contain the nearest point to the
     /// candidates. `direction` is the unit vector from the nearest answer to the query, or zero.
     /// Returns the block's extent.
@@ -40,29 +40,29 @@ impl<C: Cells<N>, const N: usize> BlockLeaf<'_, C, N> {
         &self,
         query: DVec3,
         direction: DVec3,
-        upper: &mut UpperBound,
+        upper: &mut DistanceUpperBound,
         candidates: &mut Vec<CellCandidate>,
     ) -> f64 {
-        let [rows, columns] = self.cells.counts();
-        let (top, left) = (self.row * BLOCK, self.column * BLOCK);
-        let (rows, columns) = (BLOCK.min(rows - top), BLOCK.min(columns - left));
+        let [rows, columns] = self.cells.cell_counts();
+        let (top, left) = (self.row * CELLS_PER_BLOCK_SIDE, self.column * CELLS_PER_BLOCK_SIDE);
+        let (rows, columns) = (CELLS_PER_BLOCK_SIDE.min(rows - top), CELLS_PER_BLOCK_SIDE.min(columns - left));
         let corners = BlockCorners::from_cells(self.cells, [top, left], [rows, columns], query);
-        upper.lower(corners.min_square().sqrt());
-        let displacement = DisplacementBox::new(self.index.displacement(self.row, self.column));
+        upper.lower_to(corners.min_squared_corner_distance().sqrt());
+        let displacement = CentredDisplacementBox::new(self.index.displacement_box(self.row, self.column));
         let prune_bound = upper.prune_bound();
         // The half-space through the nearest answer.
-        let mut bounds = [[0.0; BLOCK]; BLOCK];
+        let mut bounds = [[0.0; CELLS_PER_BLOCK_SIDE]; CELLS_PER_BLOCK_SIDE];
         if direction != DVec3::ZERO {
-            bounds = corners.half_spaces(direction, displacement.extent_along(direction));
-            let least = bounds.as_flattened().iter().copied().fold(f64::INFINITY, min);
+            bounds = corners.half_space_bounds(direction, displacement.extent_along(direction));
+            let least = bounds.as_flattened().iter().copied().fold(f64::INFINITY, min_ignoring_nan);
             if least > prune_bound {
-                return corners.extent();
+                return corners.corner_extent();
             }
         }
-        let squares = corners.box_squares(&displacement);
-        let middles = corners.middle_squares();
+        let squares = corners.squared_box_distances(&displacement);
+        let middles = corners.squared_mean_distances_times_16();
         // The remaining cells, sorted by the distance of their middle.
-        let mut order = [0_u8; BLOCK * BLOCK];
+        let mut order = [0_u8; CELLS_PER_BLOCK_SIDE * CELLS_PER_BLOCK_SIDE];
         let mut count = 0;
         for (r, bounds) in bounds[..rows].iter().enumerate() {
             for (c, &bound) in bounds[..columns].iter().enumerate() {
@@ -74,40 +74,43 @@ impl<C: Cells<N>, const N: usize> BlockLeaf<'_, C, N> {
                     order[at] = order[at - 1];
                     at -= 1;
                 }
-                order[at] = (BLOCK * r + c) as u8;
+                order[at] = (CELLS_PER_BLOCK_SIDE * r + c) as u8;
                 count += 1;
             }
         }
         for &cell in &order[..count] {
-            let (r, c) = (usize::from(cell) / BLOCK, usize::from(cell) % BLOCK);
+            let (r, c) = (usize::from(cell) / CELLS_PER_BLOCK_SIDE, usize::from(cell) % CELLS_PER_BLOCK_SIDE);
             if squares[r][c] > upper.prune_bound() * upper.prune_bound() {
                 continue;
             }
-            let quad = corners.quad(r, c);
-            if is_beyond(&quad, upper.prune_bound() + displacement.max_length) {
+            let quad = corners.cell_corners(r, c);
+            if is_hull_beyond(&quad, upper.prune_bound() + displacement.max_length) {
                 continue;
             }
             let NearestOnBilinear { distance, direction, start } = nearest_on_bilinear(&quad);
-            upper.lower(distance + displacement.max_length);
+            upper.lower_to(distance + displacement.max_length);
             // The hull of the corners contains the bilinear patch.
-            let along = quad.map(|corner| -corner.dot(direction)).into_iter().fold(f64::INFINITY, min);
+            let along = quad.map(|corner| -corner.dot(direction)).into_iter().fold(f64::INFINITY, min_ignoring_nan);
             let bound = along - displacement.extent_along(direction);
             if bound > upper.prune_bound() {
                 continue;
             }
             candidates.push(CellCandidate { bound, direction, start, cell: [(top + r) as u32, (left + c) as u32] });
         }
-        corners.extent()
+        corners.corner_extent()
     }
 }
 
 /// True if the hull of four corners is farther from the origin than `limit`. Tests the half-space
 /// perpendicular to the direction of their mean, which is the sharpest test for distant cells.
 #[inline(always)]
-fn is_beyond(corners: &[DVec3; 4], limit: f64) -> bool {
+fn is_hull_beyond(corners: &[DVec3; 4], limit: f64) -> bool {
     let [a, b, c, d] = *corners;
     let middle = (a + b) + (c + d);
-    let along = min(min(a.dot(middle), b.dot(middle)), min(c.dot(middle), d.dot(middle)));
+    let along = min_ignoring_nan(
+        min_ignoring_nan(a.dot(middle), b.dot(middle)),
+        min_ignoring_nan(c.dot(middle), d.dot(middle)),
+    );
     along > 0.0 && along * along > limit * limit * middle.length_squared()
 }
 
@@ -174,7 +177,7 @@ mod tests {
     use gusset_base::testing::cases;
 
     /// A block of 4 x 3 cells through rough nodes.
-    fn rough(seed: u32) -> Grid<'static> {
+    fn rough_grid(seed: u32) -> Grid<'static> {
         let number = |k: u32| f64::from((seed * 1000 + k).wrapping_mul(2_654_435_761) >> 8) / f64::from(1 << 24);
         let nodes = (0..20).flat_map(|k| {
             let flat = [f64::from(k / 4), f64::from(k % 4), 0.0];
@@ -183,13 +186,13 @@ mod tests {
         Grid::new(Nodes::strided(nodes.collect::<Vec<_>>(), 5, 4, 0, 0).unwrap(), [false; 2], Scheme::SixTap).unwrap()
     }
 
-    fn nearest_by_force(grid: &Grid<'_>, [i, j]: [usize; 2], query: DVec3) -> f64 {
+    fn nearest_by_sampling(grid: &Grid<'_>, [i, j]: [usize; 2], query: DVec3) -> f64 {
         let patch = grid.patch(i, j);
         let places = (0..289).map(|k| [f64::from(k / 17) / 16.0, f64::from(k % 17) / 16.0]);
         places.map(|[u, v]| patch.point(u, v).distance(query)).fold(f64::INFINITY, f64::min)
     }
 
-    fn queries() -> impl Iterator<Item = DVec3> {
+    fn sample_queries() -> impl Iterator<Item = DVec3> {
         (0..60).map(|k| {
             let t = f64::from(k);
             DVec3::new(2.0 + 3.0 * t.sin(), 2.0 + 3.0 * (2.3 * t).cos(), 4.0 * (0.7 * t).sin())
@@ -201,19 +204,19 @@ mod tests {
     #[test]
     fn cells_with_nearer_points_are_never_excluded() {
         let (mut candidates, mut asked, mut excluded) = (Vec::new(), 0, 0);
-        for (seed, query) in (0..cases(12)).flat_map(|seed| queries().map(move |query| (seed, query))) {
-            let grid = rough(seed);
-            let index = Pyramid::build(&grid, &Job::default()).unwrap();
+        for (seed, query) in (0..cases(12)).flat_map(|seed| sample_queries().map(move |query| (seed, query))) {
+            let grid = rough_grid(seed);
+            let index = BoxPyramid::build(&grid, &Job::default()).unwrap();
             let all: Vec<[usize; 2]> = (0..12).map(|k| [k / 3, k % 3]).collect();
-            let truth: Vec<f64> = all.iter().map(|&cell| nearest_by_force(&grid, cell, query)).collect();
+            let truth: Vec<f64> = all.iter().map(|&cell| nearest_by_sampling(&grid, cell, query)).collect();
             let least = truth.iter().copied().fold(f64::INFINITY, f64::min);
             let direction = (query - grid.patch(1, 1).point(0.5, 0.5)).normalize();
             // The bound that an answer would give, for which an excessive cell bound would exclude
             // a tie.
             for (limit, direction) in [(f64::INFINITY, DVec3::ZERO), (least, DVec3::ZERO), (least, direction)] {
                 candidates.clear();
-                let mut upper = UpperBound::new(limit, 0.0);
-                let leaf = BlockLeaf { cells: &grid, index: &index, row: 0, column: 0 };
+                let mut upper = DistanceUpperBound::new(limit, 0.0);
+                let leaf = CandidateBlock { cells: &grid, index: &index, row: 0, column: 0 };
                 leaf.find_candidates(query, direction, &mut upper, &mut candidates);
                 // Points of the lattice are close to the nearest point, but not equal to it.
                 assert!(upper.distance >= least - 0.05, "{seed} {query}");
@@ -235,20 +238,20 @@ mod tests {
     /// Tests each bound of all cells of a block separately, on a surface with large displacements.
     #[test]
     fn bounds_of_blocks_hold() {
-        for (seed, query) in (0..cases(12)).flat_map(|seed| queries().map(move |query| (seed, query))) {
-            let grid = rough(seed);
-            let index = Pyramid::build(&grid, &Job::default()).unwrap();
-            let displacement = DisplacementBox::new(index.displacement(0, 0));
+        for (seed, query) in (0..cases(12)).flat_map(|seed| sample_queries().map(move |query| (seed, query))) {
+            let grid = rough_grid(seed);
+            let index = BoxPyramid::build(&grid, &Job::default()).unwrap();
+            let displacement = CentredDisplacementBox::new(index.displacement_box(0, 0));
             let corners = BlockCorners::from_cells(&grid, [0, 0], [4, 3], query);
             let direction = (query - grid.patch(2, 1).point(0.5, 0.5)).normalize();
-            let spaces = corners.half_spaces(direction, displacement.extent_along(direction));
-            let squares = corners.box_squares(&displacement);
+            let spaces = corners.half_space_bounds(direction, displacement.extent_along(direction));
+            let squares = corners.squared_box_distances(&displacement);
             for [i, j] in (0..12).map(|k| [k / 3, k % 3]) {
-                let truth = nearest_by_force(&grid, [i, j], query);
+                let truth = nearest_by_sampling(&grid, [i, j], query);
                 assert!(spaces[i][j] <= truth, "{seed} {query} {i} {j}");
                 assert!(squares[i][j].sqrt() <= truth, "{seed} {query} {i} {j}");
-                let quad = corners.quad(i, j);
-                assert!(!is_beyond(&quad, truth + displacement.max_length), "{seed} {query} {i} {j}");
+                let quad = corners.cell_corners(i, j);
+                assert!(!is_hull_beyond(&quad, truth + displacement.max_length), "{seed} {query} {i} {j}");
                 let near = nearest_on_bilinear(&quad);
                 assert!(near.distance + displacement.max_length >= truth - 0.05, "{seed} {query} {i} {j}");
                 let [a, b, c, d] = quad;
@@ -264,23 +267,25 @@ mod tests {
     fn bounds_of_a_plane_are_exact() {
         let nodes = (0..25).flat_map(|k| [f64::from(k / 5), f64::from(k % 5), 0.0]).collect::<Vec<_>>();
         let grid = Grid::new(Nodes::strided(nodes, 5, 5, 0, 0).unwrap(), [false; 2], Scheme::SixTap).unwrap();
-        let index = Pyramid::build(&grid, &Job::default()).unwrap();
-        let displacement = DisplacementBox::new(index.displacement(0, 0));
+        let index = BoxPyramid::build(&grid, &Job::default()).unwrap();
+        let displacement = CentredDisplacementBox::new(index.displacement_box(0, 0));
         let query = DVec3::new(-1.0, -2.0, 2.0);
         let corners = BlockCorners::from_cells(&grid, [0, 0], [4, 4], query);
         for [i, j] in (0..16).map(|k| [k / 4, k % 4]) {
             let corner = DVec3::new(i as f64, j as f64, 0.0);
             let truth = corner.distance(query);
             let direction = (query - corner) / truth;
-            assert!((corners.box_squares(&displacement)[i][j].sqrt() - truth).abs() < 1e-9);
-            assert!((corners.half_spaces(direction, displacement.extent_along(direction))[i][j] - truth).abs() < 1e-9);
-            assert!((nearest_on_bilinear(&corners.quad(i, j)).distance - truth).abs() < 1e-9);
+            assert!((corners.squared_box_distances(&displacement)[i][j].sqrt() - truth).abs() < 1e-9);
+            assert!(
+                (corners.half_space_bounds(direction, displacement.extent_along(direction))[i][j] - truth).abs() < 1e-9
+            );
+            assert!((nearest_on_bilinear(&corners.cell_corners(i, j)).distance - truth).abs() < 1e-9);
         }
-        assert!((corners.min_square() - 9.0).abs() < 1e-12);
-        assert!(is_beyond(&corners.quad(3, 3), 5.0) && !is_beyond(&corners.quad(3, 3), 9.0));
+        assert!((corners.min_squared_corner_distance() - 9.0).abs() < 1e-12);
+        assert!(is_hull_beyond(&corners.cell_corners(3, 3), 5.0) && !is_hull_beyond(&corners.cell_corners(3, 3), 9.0));
         let mut candidates = Vec::new();
-        let leaf = BlockLeaf { cells: &grid, index: &index, row: 0, column: 0 };
-        leaf.find_candidates(query, DVec3::ZERO, &mut UpperBound::new(f64::INFINITY, 0.0), &mut candidates);
+        let leaf = CandidateBlock { cells: &grid, index: &index, row: 0, column: 0 };
+        leaf.find_candidates(query, DVec3::ZERO, &mut DistanceUpperBound::new(f64::INFINITY, 0.0), &mut candidates);
         assert_eq!(candidates.iter().map(|candidate| candidate.cell).collect::<Vec<_>>(), [[0, 0]]);
     }
 }

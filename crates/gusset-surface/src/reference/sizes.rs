@@ -83,7 +83,7 @@ impl Sizes {
             Sum::Rings => {
                 let (mut steps, mut reach) = (0, 0.0);
                 while steps < most {
-                    let next = reach + self.ring(node, steps + 1) * ROUNDING_FACTOR;
+                    let next = reach + self.max_bound_in_ring(node, steps + 1) * ROUNDING_FACTOR;
                     if next >= limit {
                         break;
                     }
@@ -96,16 +96,17 @@ impl Sizes {
 
     /// R_J: a bound of the distance from a node within the block of 2 J x 2 J cells around it.
     pub fn ring_sum(&self, node: [usize; 2], steps: usize) -> f64 {
-        (1..=steps).map(|k| self.ring(node, k)).sum::<f64>() * ROUNDING_FACTOR
+        (1..=steps).map(|k| self.max_bound_in_ring(node, k)).sum::<f64>() * ROUNDING_FACTOR
     }
 
     /// The largest bound in the k-th ring of cells around a node: the cells that chains of k cells
     /// reach, but shorter chains do not.
-    fn ring(&self, node: [usize; 2], k: usize) -> f64 {
-        let ([rows, columns], inner) = (self.lattice.block(node, k), self.lattice.block(node, k - 1));
+    fn max_bound_in_ring(&self, node: [usize; 2], k: usize) -> f64 {
+        let ([rows, columns], inner) =
+            (self.lattice.block_around_node(node, k), self.lattice.block_around_node(node, k - 1));
         let own = rows.indices().flat_map(|i| {
-            let crosses = inner[0].contains(i);
-            columns.indices().filter(move |&j| !(crosses && inner[1].contains(j))).map(move |j| [i, j])
+            let crosses = inner[0].contains_interval(i);
+            columns.indices().filter(move |&j| !(crosses && inner[1].contains_interval(j))).map(move |j| [i, j])
         });
         own.map(|cell| self.get(cell)).fold(0.0, f64::max)
     }

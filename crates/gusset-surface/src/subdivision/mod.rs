@@ -6,6 +6,6 @@ mod curve_crossings;
 mod field;
 mod roots;
 
-pub(crate) use curve_crossings::{Crossings, CurveWorkspace, crossings};
-pub(crate) use field::Field;
-pub(crate) use roots::{Roots, roots, simple_roots};
+pub(crate) use curve_crossings::{CrossingWorkspace, CurvePatchCrossings, find_crossings};
+pub(crate) use field::BernsteinField;
+pub(crate) use roots::{FieldRoots, find_roots, find_simple_roots};

@@ -19,26 +19,26 @@
 //! for a split.
 
 use super::coordinate_net::CoordinateNet;
-use super::equation::{Equation, Frame, OTHERS};
+use super::equation::{DifferenceFrame, IntersectionEquation, OTHER_PARAMETERS};
 use crate::Patch;
-use crate::subdivision::Field;
+use crate::subdivision::BernsteinField;
 use glam::{DVec3, DVec4};
 use gusset_base::geom::subdivision::BoxTest;
 
 /// Distance outside a box up to which a graph is proven, as a fraction of the box.
-pub(super) const MARGIN: f64 = 1.0 / 32.0;
+pub(super) const GRAPH_MARGIN_FRACTION: f64 = 1.0 / 32.0;
 
 /// A box of parameters, and the control nets over it.
 #[derive(Clone)]
 pub(super) struct ParameterBox<const N: usize, const M: usize> {
-    pub(super) nets: Equation<N, M>,
+    pub(super) nets: IntersectionEquation<N, M>,
     pub(super) low: DVec4,
     pub(super) size: DVec4,
 }
 
-/// A proof that the solutions in a box, and within [`MARGIN`] of it, are a graph.
+/// A proof that the solutions in a box, and within [`GRAPH_MARGIN_FRACTION`] of it, are a graph.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Chart {
+pub(super) struct SolutionChart {
     /// The parameter on which the other three depend.
     pub(super) free: usize,
     /// The point of the line of the middle at the middle of the free parameter.
@@ -50,53 +50,58 @@ pub(super) struct Chart {
 }
 
 /// A proof that a box is empty, or that its solutions form a graph.
-pub(super) type ChartTest = BoxTest<Chart, ()>;
+pub(super) type ChartTest = BoxTest<SolutionChart, ()>;
 
 /// Factor by which the range of the coefficients of a polynomial of total degree `degree` may grow
-/// if its box grows by [`MARGIN`] on each side. The weights of extrapolation sum to 1, their
-/// absolute values to (1 + 2 m)^degree.
-fn growth(degree: usize) -> f64 {
-    (0..degree).fold(1.0, |product, _| product * (1.0 + 2.0 * MARGIN))
+/// if its box grows by [`GRAPH_MARGIN_FRACTION`] on each side. The weights of extrapolation sum to
+/// 1, their absolute values to (1 + 2 m)^degree.
+fn coefficient_growth_factor(degree: usize) -> f64 {
+    (0..degree).fold(1.0, |product, _| product * (1.0 + 2.0 * GRAPH_MARGIN_FRACTION))
 }
 
-fn scaled_about_middle([low, high]: [f64; 2], by: f64) -> [f64; 2] {
+fn scale_about_middle([low, high]: [f64; 2], by: f64) -> [f64; 2] {
     let (middle, half) = (0.5 * (low + high), 0.5 * (high - low) * by);
     [middle - half, middle + half]
 }
 
 /// The gap between the ranges of two fields; negative if the ranges overlap.
-fn gap<const N: usize, const M: usize>(a: &Field<N>, b: &Field<M>) -> f64 {
-    let ([low, high], [others_low, others_high]) = (a.range(), b.range());
+fn gap_between_fields<const N: usize, const M: usize>(a: &BernsteinField<N>, b: &BernsteinField<M>) -> f64 {
+    let ([low, high], [others_low, others_high]) = (a.coefficient_range(), b.coefficient_range());
     let (above, below) = (low - others_high, others_low - high);
     if above > below { above } else { below }
 }
 
 /// The index of the component with the largest absolute value.
-fn largest_component(tangent: DVec4) -> usize {
+fn index_of_largest_component(tangent: DVec4) -> usize {
     (0..4).fold(0, |best, k| if tangent[k].abs() > tangent[best].abs() { k } else { best })
 }
 
 impl<const N: usize, const M: usize> ParameterBox<N, M> {
     /// The whole of two patches, whose nets are not yet set.
     pub(super) const WHOLE: Self = ParameterBox {
-        nets: Equation { a: CoordinateNet::ZERO, b: CoordinateNet::ZERO },
+        nets: IntersectionEquation { a: CoordinateNet::ZERO, b: CoordinateNet::ZERO },
         low: DVec4::ZERO,
         size: DVec4::ONE,
     };
 
-    pub(super) fn middle(&self) -> DVec4 {
+    pub(super) fn middle_point(&self) -> DVec4 {
         self.low + 0.5 * self.size
     }
 
     /// Tests the box. `frame` holds the derivatives in the middle, with respect to the parameters
     /// of the cells. Lengths up to `rounding_error` may be rounding. Surfaces may touch if they are
     /// parallel and within `tolerance` of each other.
-    pub(super) fn prove(&self, frame: &Frame, rounding_error: f64, tolerance: f64) -> ChartTest {
+    pub(super) fn prove_empty_or_graph(
+        &self,
+        frame: &DifferenceFrame,
+        rounding_error: f64,
+        tolerance: f64,
+    ) -> ChartTest {
         let mut columns = frame.columns;
         (0..4).for_each(|k| columns[k] *= self.size[k]);
-        let tangent = Frame { columns, ..*frame }.tangent();
-        let free = largest_component(tangent);
-        let others = OTHERS[free];
+        let tangent = DifferenceFrame { columns, ..*frame }.parameter_tangent();
+        let free = index_of_largest_component(tangent);
+        let others = OTHER_PARAMETERS[free];
         let [x, y, z] = others.map(|k| columns[k]);
         let normals = [y.cross(z), z.cross(x), x.cross(y)];
         let lengths = x.length() * y.length() * z.length();
@@ -104,10 +109,11 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
         let regular = determinant.abs() > 1e-10 * lengths;
         let rows = normals.map(|normal| if regular { normal / determinant } else { normal });
 
-        let (a, b) = (rows.map(|row| self.nets.a.project(row)), rows.map(|row| self.nets.b.project(row)));
+        let (a, b) =
+            (rows.map(|row| self.nets.a.component_along(row)), rows.map(|row| self.nets.b.component_along(row)));
         let mut is_apart = false;
         for k in 0..3 {
-            let (gap, length) = (gap(&a[k], &b[k]), rows[k].length());
+            let (gap, length) = (gap_between_fields(&a[k], &b[k]), rows[k].length());
             if gap > tolerance * length {
                 return BoxTest::Empty;
             }
@@ -115,18 +121,26 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
         }
         if !regular {
             // Some directions of degenerate pieces are zero, so the bounding boxes are tested too.
-            let apart = || DVec3::AXES.into_iter().any(|axis| self.separated(axis, tolerance));
-            return if self.is_apart(frame, tolerance) || apart() { BoxTest::Empty } else { BoxTest::Undecided(()) };
+            let apart = || DVec3::AXES.into_iter().any(|axis| self.are_pieces_separated_along(axis, tolerance));
+            return if self.is_proven_empty_otherwise(frame, tolerance) || apart() {
+                BoxTest::Empty
+            } else {
+                BoxTest::Undecided(())
+            };
         }
         let line = others.map(|k| tangent[k] / tangent[free]);
-        let Some(slopes) = slopes(&a, &b, others, free) else {
-            return if self.is_apart(frame, tolerance) { BoxTest::Empty } else { BoxTest::Undecided(()) };
+        let Some(slopes) = slope_bounds_by_free_parameter(&a, &b, others, free) else {
+            return if self.is_proven_empty_otherwise(frame, tolerance) {
+                BoxTest::Empty
+            } else {
+                BoxTest::Undecided(())
+            };
         };
         // The surfaces are nowhere parallel here.
         if is_apart {
             return BoxTest::Empty;
         }
-        let mut chart = Chart { free, base: self.middle(), line: DVec4::ONE, slopes: [[1.0; 2]; 4] };
+        let mut chart = SolutionChart { free, base: self.middle_point(), line: DVec4::ONE, slopes: [[1.0; 2]; 4] };
         for (k, &other) in others.iter().enumerate() {
             // From fractions of the box to parameters of the cells.
             let scale = self.size[other] / self.size[free];
@@ -137,34 +151,40 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
         BoxTest::Unique(chart)
     }
 
-    /// True if a direction that [`ParameterBox::prove`] does not try for graphs proves the box
-    /// empty. Tries the cross products with the derivative along which the curve runs, and
-    /// [`Self::is_beside`].
-    pub(super) fn is_apart(&self, frame: &Frame, rounding_error: f64) -> bool {
+    /// True if a direction that [`ParameterBox::prove_empty_or_graph`] does not try for graphs
+    /// proves the box empty. Tries the cross products with the derivative along which the curve
+    /// runs, and [`Self::are_pieces_separated_sideways`].
+    pub(super) fn is_proven_empty_otherwise(&self, frame: &DifferenceFrame, rounding_error: f64) -> bool {
         let columns: [DVec3; 4] = std::array::from_fn(|k| frame.columns[k] * self.size[k]);
-        let tangent = Frame { columns, ..*frame }.tangent();
-        let free = largest_component(tangent);
-        OTHERS[free].into_iter().any(|k| self.separated(columns[k].cross(columns[free]), rounding_error))
-            || self.is_beside(frame, rounding_error)
+        let tangent = DifferenceFrame { columns, ..*frame }.parameter_tangent();
+        let free = index_of_largest_component(tangent);
+        OTHER_PARAMETERS[free]
+            .into_iter()
+            .any(|k| self.are_pieces_separated_along(columns[k].cross(columns[free]), rounding_error))
+            || self.are_pieces_separated_sideways(frame, rounding_error)
     }
 
     /// True if a direction in a tangent plane, perpendicular to a side of a piece, separates the
     /// pieces.
-    fn is_beside(&self, frame: &Frame, rounding_error: f64) -> bool {
+    fn are_pieces_separated_sideways(&self, frame: &DifferenceFrame, rounding_error: f64) -> bool {
         let normals = frame.normals();
-        (0..4).any(|k| self.separated(normals[k / 2].cross(frame.columns[k]), rounding_error))
+        (0..4).any(|k| self.are_pieces_separated_along(normals[k / 2].cross(frame.columns[k]), rounding_error))
     }
 
-    fn separated(&self, axis: DVec3, rounding_error: f64) -> bool {
-        gap(&self.nets.a.project(axis), &self.nets.b.project(axis)) > rounding_error * axis.length()
+    fn are_pieces_separated_along(&self, axis: DVec3, rounding_error: f64) -> bool {
+        gap_between_fields(&self.nets.a.component_along(axis), &self.nets.b.component_along(axis))
+            > rounding_error * axis.length()
     }
 
     /// True if the pieces are flat and close, so that details of their intersection are below the
     /// tolerance. Along either normal, each piece lies between two planes `thickness` apart, and
     /// the pieces are within `tolerance` of each other.
-    pub(super) fn is_within(&self, frame: &Frame, thickness: f64, tolerance: f64) -> bool {
+    pub(super) fn are_pieces_flat_and_close(&self, frame: &DifferenceFrame, thickness: f64, tolerance: f64) -> bool {
         let thin = |normal: DVec3| {
-            let (a, b) = (self.nets.a.project(normal).range(), self.nets.b.project(normal).range());
+            let (a, b) = (
+                self.nets.a.component_along(normal).coefficient_range(),
+                self.nets.b.component_along(normal).coefficient_range(),
+            );
             let thickest = (a[1] - a[0]).max(b[1] - b[0]);
             thickest <= thickness && a[1].max(b[1]) - a[0].min(b[0]) <= tolerance + 2.0 * thickness
         };
@@ -173,21 +193,22 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
 
     /// Approximate extents of the pieces in the four directions: the longest legs of the control
     /// nets, times their number.
-    pub(super) fn extents(&self) -> [f64; 4] {
-        let ([s, t], [u, v]) = (legs(&self.nets.a.patch()), legs(&self.nets.b.patch()));
+    pub(super) fn piece_extents(&self) -> [f64; 4] {
+        let ([s, t], [u, v]) =
+            (longest_leg_lengths(&self.nets.a.to_patch()), longest_leg_lengths(&self.nets.b.to_patch()));
         [s, t, u, v]
     }
 
     /// Whether all points are on one side of the box, within `slack`.
-    pub(super) fn has_side_through(&self, points: [DVec4; 2], slack: f64) -> bool {
+    pub(super) fn are_points_on_one_side(&self, points: [DVec4; 2], slack: f64) -> bool {
         let on = |side: DVec4| points.map(|x| (x - side).abs().cmple(DVec4::splat(slack)));
         [self.low, self.low + self.size].map(on).into_iter().any(|[first, last]| (first & last).any())
     }
 
     /// The halves by parameter k.
-    pub(super) fn halves(&self, k: usize) -> [Self; 2] {
+    pub(super) fn halve_by_parameter(&self, k: usize) -> [Self; 2] {
         let mut parts = [self.clone(), self.clone()];
-        let Equation { a, b } = &self.nets;
+        let IntersectionEquation { a, b } = &self.nets;
         match k {
             0 => [parts[0].nets.a, parts[1].nets.a] = a.halves(),
             1 => [parts[0].nets.a, parts[1].nets.a] = a.transposed().halves().map(|half| half.transposed()),
@@ -202,7 +223,7 @@ impl<const N: usize, const M: usize> ParameterBox<N, M> {
 }
 
 /// The length of the longest leg of a net times the number of legs, in u and in v.
-fn legs<const N: usize>(patch: &Patch<N>) -> [f64; 2] {
+fn longest_leg_lengths<const N: usize>(patch: &Patch<N>) -> [f64; 2] {
     let points = &patch.points;
     let mut longest = [0.0_f64; 2];
     for a in 0..N {
@@ -220,19 +241,19 @@ fn legs<const N: usize>(patch: &Patch<N>) -> [f64; 2] {
 
 /// Bounds of the slopes of three parameters with respect to the free one, in fractions of the box.
 /// Returns `None` if the diagonal may not be dominant.
-fn slopes<const N: usize, const M: usize>(
-    a: &[Field<N>; 3],
-    b: &[Field<M>; 3],
+fn slope_bounds_by_free_parameter<const N: usize, const M: usize>(
+    a: &[BernsteinField<N>; 3],
+    b: &[BernsteinField<M>; 3],
     others: [usize; 3],
     free: usize,
 ) -> Option<[[f64; 2]; 3]> {
-    let (growth_a, growth_b) = (growth(2 * N - 3), growth(2 * M - 3));
+    let (growth_a, growth_b) = (coefficient_growth_factor(2 * N - 3), coefficient_growth_factor(2 * M - 3));
     // (I + E) x' = r, |E| <= errors.
     let (mut errors, mut right) = ([[0.0; 3]; 3], [[0.0; 2]; 3]);
     for k in 0..3 {
-        let ([s, t], [u, v]) = (a[k].slope_ranges(), b[k].slope_ranges());
+        let ([s, t], [u, v]) = (a[k].derivative_ranges(), b[k].derivative_ranges());
         let (of_a, of_b) =
-            ([s, t].map(|x| scaled_about_middle(x, growth_a)), [u, v].map(|x| scaled_about_middle(x, growth_b)));
+            ([s, t].map(|x| scale_about_middle(x, growth_a)), [u, v].map(|x| scale_about_middle(x, growth_b)));
         let columns = [of_a[0], of_a[1], [-of_b[0][1], -of_b[0][0]], [-of_b[1][1], -of_b[1][0]]];
         for (n, &other) in others.iter().enumerate() {
             let identity = if n == k { 1.0 } else { 0.0 };

@@ -7,14 +7,14 @@ use glam::{DVec2, DVec3, DVec4};
 
 /// Two patches. The parameters are (s, t) of A, then (u, v) of B, in their cells.
 #[derive(Clone)]
-pub(super) struct Equation<const N: usize, const M: usize> {
+pub(super) struct IntersectionEquation<const N: usize, const M: usize> {
     pub(super) a: CoordinateNet<N>,
     pub(super) b: CoordinateNet<M>,
 }
 
 /// A - B at given parameters, and its derivatives.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Frame {
+pub(super) struct DifferenceFrame {
     /// A - B.
     pub(super) miss: DVec3,
     /// A_s, A_t, -B_u, -B_v.
@@ -22,14 +22,14 @@ pub(super) struct Frame {
 }
 
 /// For each of the four parameters, the other three.
-pub(super) const OTHERS: [[usize; 3]; 4] = [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]];
+pub(super) const OTHER_PARAMETERS: [[usize; 3]; 4] = [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]];
 
 /// Largest number of Newton steps.
 const MAX_NEWTON_STEPS: usize = 16;
 /// A first step shorter than this, in parameters of the cells, marks a good guess.
-const MAX_REFINED_STEP: f64 = 1e-3;
+const MAX_FIRST_STEP_OF_GOOD_GUESS: f64 = 1e-3;
 
-impl Frame {
+impl DifferenceFrame {
     /// N_A and N_B, not normalised.
     pub(super) fn normals(&self) -> [DVec3; 2] {
         let [a, b, c, d] = self.columns;
@@ -38,13 +38,13 @@ impl Frame {
 
     /// The direction of the curve A = B in parameters; in space it is N_A x N_B. It solves A_s s' +
     /// A_t t' = B_u u' + B_v v', because (A_s x A_t) x N_B = A_t (A_s . N_B) - A_s (A_t . N_B).
-    pub(super) fn tangent(&self) -> DVec4 {
+    pub(super) fn parameter_tangent(&self) -> DVec4 {
         let ([a, b], [s, t, u, v]) = (self.normals(), self.columns);
         DVec4::new(-t.dot(b), s.dot(b), -v.dot(a), u.dot(a))
     }
 
     /// The direction N_A x N_B of the curve in space.
-    pub(super) fn direction(&self) -> DVec3 {
+    pub(super) fn curve_direction(&self) -> DVec3 {
         let [a, b] = self.normals();
         a.cross(b)
     }
@@ -55,37 +55,37 @@ impl Frame {
         a.cross(b).length() > 0.3 * a.length() * b.length()
     }
 
-    /// The step to the solution nearest to another point, which is `away` from A.
+    /// The step to the solution nearest to another point, which is `offset` from A.
     ///
     /// It combines two steps. The first leads to A = B, with the parameter fixed along which the
     /// curve mainly runs. The second leads along the curve as along a line.
-    pub(super) fn step_towards(&self, away: DVec3) -> DVec4 {
-        let (tangent, direction) = (self.tangent(), self.direction());
+    pub(super) fn step_towards_point(&self, offset: DVec3) -> DVec4 {
+        let (tangent, direction) = (self.parameter_tangent(), self.curve_direction());
         let fixed = (0..4).fold(0, |best, k| if tangent[k].abs() > tangent[best].abs() { k } else { best });
-        let back = step(&self.inverse(fixed), self.miss, fixed);
-        let left = away + self.columns[0] * back.x + self.columns[1] * back.y;
+        let back = newton_step(&self.inverse_with_fixed_parameter(fixed), self.miss, fixed);
+        let left = offset + self.columns[0] * back.x + self.columns[1] * back.y;
         left.dot(direction) / direction.length_squared() * tangent - back
     }
 
-    /// The step of two parameters of one surface, `moved` and the next one, that brings it nearest
-    /// to the other surface's point.
-    pub(super) fn step_across(&self, moved: usize) -> DVec2 {
-        let [p, q] = [self.columns[moved], self.columns[moved + 1]];
+    /// The step of two parameters of one surface, `first_moved` and the next one, that brings it
+    /// nearest to the other surface's point.
+    pub(super) fn step_to_other_surface(&self, first_moved: usize) -> DVec2 {
+        let [p, q] = [self.columns[first_moved], self.columns[first_moved + 1]];
         let (pp, pq, qq) = (p.length_squared(), p.dot(q), q.length_squared());
         let (f, g) = (self.miss.dot(p), self.miss.dot(q));
         DVec2::new(g * pq - f * qq, f * pq - g * pp) / (pp * qq - pq * pq)
     }
 
     /// How much parameter k changes with A - B if parameter `fixed` is constant.
-    pub(super) fn sensitivity(&self, fixed: usize, k: usize) -> f64 {
-        let rows = self.inverse(fixed);
-        OTHERS[fixed].iter().zip(rows).find(|(other, _)| **other == k).map_or(0.0, |(_, row)| row.length())
+    pub(super) fn parameter_sensitivity(&self, fixed: usize, k: usize) -> f64 {
+        let rows = self.inverse_with_fixed_parameter(fixed);
+        OTHER_PARAMETERS[fixed].iter().zip(rows).find(|(other, _)| **other == k).map_or(0.0, |(_, row)| row.length())
     }
 
     /// Rows of the inverse of the derivatives with respect to the three parameters other than
     /// `fixed`.
-    fn inverse(&self, fixed: usize) -> [DVec3; 3] {
-        let [x, y, z] = OTHERS[fixed].map(|n| self.columns[n]);
+    fn inverse_with_fixed_parameter(&self, fixed: usize) -> [DVec3; 3] {
+        let [x, y, z] = OTHER_PARAMETERS[fixed].map(|n| self.columns[n]);
         let (yz, zx, xy) = (y.cross(z), z.cross(x), x.cross(y));
         let factor = 1.0 / x.dot(yz);
         [factor * yz, factor * zx, factor * xy]
@@ -93,27 +93,27 @@ impl Frame {
 }
 
 /// The Newton step, from the inverse of the derivatives with one parameter fixed.
-fn step(inverse: &[DVec3; 3], miss: DVec3, fixed: usize) -> DVec4 {
+fn newton_step(inverse: &[DVec3; 3], miss: DVec3, fixed: usize) -> DVec4 {
     let mut step = DVec4::ZERO;
-    for (&n, row) in OTHERS[fixed].iter().zip(inverse) {
+    for (&n, row) in OTHER_PARAMETERS[fixed].iter().zip(inverse) {
         step[n] = miss.dot(*row);
     }
     step
 }
 
-impl<const N: usize, const M: usize> Equation<N, M> {
-    pub(super) fn frame(&self, x: DVec4) -> Frame {
-        let ([p, s, t], [q, u, v]) = (self.a.tangents(x.x, x.y), self.b.tangents(x.z, x.w));
-        Frame { miss: p - q, columns: [s, t, -u, -v] }
+impl<const N: usize, const M: usize> IntersectionEquation<N, M> {
+    pub(super) fn frame_at(&self, x: DVec4) -> DifferenceFrame {
+        let ([p, s, t], [q, u, v]) = (self.a.point_and_tangents(x.x, x.y), self.b.point_and_tangents(x.z, x.w));
+        DifferenceFrame { miss: p - q, columns: [s, t, -u, -v] }
     }
 
     /// Solves the equation near `start` with parameter `fixed` held constant. Returns the solution
     /// and the derivatives close to it, or `None` if Newton's method does not converge.
-    pub(super) fn solve(&self, start: DVec4, fixed: usize) -> Option<(DVec4, Frame)> {
+    pub(super) fn solve_with_fixed_parameter(&self, start: DVec4, fixed: usize) -> Option<(DVec4, DifferenceFrame)> {
         let (mut x, mut last) = (start, f64::INFINITY);
         for _ in 0..MAX_NEWTON_STEPS {
-            let frame = self.frame(x);
-            let step = step(&frame.inverse(fixed), frame.miss, fixed);
+            let frame = self.frame_at(x);
+            let step = newton_step(&frame.inverse_with_fixed_parameter(fixed), frame.miss, fixed);
             let length = step.abs().max_element();
             // Far outside the cells, the polynomials are meaningless.
             if !step.is_finite() || length > 4.0 {
@@ -134,26 +134,26 @@ impl<const N: usize, const M: usize> Equation<N, M> {
 
     /// Solves the equation from a good guess. The derivatives hardly change after the first Newton
     /// step, so the second step needs only A - B.
-    pub(super) fn refine(&self, guess: DVec4, fixed: usize) -> Option<(DVec4, Frame)> {
-        let frame = self.frame(guess);
-        let inverse = frame.inverse(fixed);
-        let first = step(&inverse, frame.miss, fixed);
+    pub(super) fn refine_good_guess(&self, guess: DVec4, fixed: usize) -> Option<(DVec4, DifferenceFrame)> {
+        let frame = self.frame_at(guess);
+        let inverse = frame.inverse_with_fixed_parameter(fixed);
+        let first = newton_step(&inverse, frame.miss, fixed);
         let length = first.abs().max_element();
-        if length < MAX_REFINED_STEP {
+        if length < MAX_FIRST_STEP_OF_GOOD_GUESS {
             let x = guess - first;
-            let miss = self.a.point(x.x, x.y) - self.b.point(x.z, x.w);
-            let second = step(&inverse, miss, fixed);
+            let miss = self.a.point_at(x.x, x.y) - self.b.point_at(x.z, x.w);
+            let second = newton_step(&inverse, miss, fixed);
             // The error decreases by the same factor in each step.
             let left = second.abs().max_element();
             if 4.0 * left * left <= 1e-15 * length || left < 1e-14 {
                 return Some((x - second, frame));
             }
         }
-        self.solve(guess, fixed)
+        self.solve_with_fixed_parameter(guess, fixed)
     }
 
     /// The point of A. At a solution it equals the point of B except for rounding.
-    pub(super) fn point(&self, x: DVec4) -> DVec3 {
-        self.a.point(x.x, x.y)
+    pub(super) fn point_of_first_patch(&self, x: DVec4) -> DVec3 {
+        self.a.point_at(x.x, x.y)
     }
 }

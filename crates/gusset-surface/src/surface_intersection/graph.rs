@@ -22,11 +22,11 @@ pub(super) struct Interval {
 }
 
 impl Interval {
-    pub(super) fn point(x: f64) -> Self {
+    pub(super) fn from_number(x: f64) -> Self {
         Interval { low: x, high: x }
     }
 
-    pub(super) fn including(self, x: f64) -> Self {
+    pub(super) fn extended_to(self, x: f64) -> Self {
         Interval { low: self.low.min(x), high: self.high.max(x) }
     }
 
@@ -35,7 +35,7 @@ impl Interval {
     }
 
     /// The reciprocal, if the interval does not contain 0.
-    pub(super) fn inverse(self) -> Option<Self> {
+    pub(super) fn reciprocal(self) -> Option<Self> {
         let apart = self.low > 0.0 || self.high < 0.0;
         apart.then(|| Interval { low: 1.0 / self.high, high: 1.0 / self.low })
     }
@@ -61,8 +61,8 @@ impl Mul for Interval {
     type Output = Interval;
 
     fn mul(self, other: Interval) -> Interval {
-        let first = Interval::point(self.low * other.low);
-        first.including(self.low * other.high).including(self.high * other.low).including(self.high * other.high)
+        let first = Interval::from_number(self.low * other.low);
+        first.extended_to(self.low * other.high).extended_to(self.high * other.low).extended_to(self.high * other.high)
     }
 }
 
@@ -82,8 +82,8 @@ impl HeightGraph {
     /// frame. Returns `None` if the piece may not be a graph.
     fn new(first: [[Interval; 3]; 2], second: [[Interval; 3]; 3]) -> Option<HeightGraph> {
         let [[xu, yu, zu], [xv, yv, zv]] = first;
-        let factor = (xu * yv - xv * yu).inverse()?;
-        let minus = Interval::point(-1.0) * factor;
+        let factor = (xu * yv - xv * yu).reciprocal()?;
+        let minus = Interval::from_number(-1.0) * factor;
         let inverse = [[yv * factor, xv * minus], [yu * minus, xu * factor]];
         let slopes = [0, 1].map(|k| zu * inverse[0][k] + zv * inverse[1][k]);
         let [uu, uv, vv] = second.map(|[x, y, z]| z - slopes[0] * x - slopes[1] * y);
@@ -96,7 +96,7 @@ impl HeightGraph {
 
     /// The graph at a point.
     pub(super) fn from_jet(jet: &Jet, frame: &DMat3) -> Option<HeightGraph> {
-        let along = |vector: DVec3| (frame.transpose() * vector).to_array().map(Interval::point);
+        let along = |vector: DVec3| (frame.transpose() * vector).to_array().map(Interval::from_number);
         HeightGraph::new([along(jet.u), along(jet.v)], [along(jet.uu), along(jet.uv), along(jet.vv)])
     }
 
@@ -107,9 +107,9 @@ impl HeightGraph {
         frame: &DMat3,
     ) -> Option<HeightGraph> {
         let mut points = patch.points.map(|row| row.map(|point| frame.transpose() * point));
-        restrict_rows(&mut points, part[0]);
+        restrict_patch_rows(&mut points, part[0]);
         let mut turned = Patch { points }.transposed();
-        restrict_rows(&mut turned.points, part[1]);
+        restrict_patch_rows(&mut turned.points, part[1]);
         let net = turned.transposed().points;
         // Differences of control points are derivatives with respect to the patch's own parameters.
         let degree = (N - 1) as f64;
@@ -120,30 +120,33 @@ impl HeightGraph {
             for b in 0..N {
                 let p = net[a][b];
                 if a + 1 < N {
-                    add(&mut u, scale[0] * (net[a + 1][b] - p));
+                    extend_ranges(&mut u, scale[0] * (net[a + 1][b] - p));
                 }
                 if b + 1 < N {
-                    add(&mut v, scale[1] * (net[a][b + 1] - p));
+                    extend_ranges(&mut v, scale[1] * (net[a][b + 1] - p));
                 }
                 if a + 1 < N && b + 1 < N {
-                    add(&mut uv, (net[a + 1][b + 1] - net[a + 1][b] - net[a][b + 1] + p) * (scale[0] * scale[1]));
+                    extend_ranges(
+                        &mut uv,
+                        (net[a + 1][b + 1] - net[a + 1][b] - net[a][b + 1] + p) * (scale[0] * scale[1]),
+                    );
                 }
                 let again = (degree - 1.0) / degree;
                 if a + 2 < N {
-                    add(&mut uu, (net[a + 2][b] - 2.0 * net[a + 1][b] + p) * (again * scale[0] * scale[0]));
+                    extend_ranges(&mut uu, (net[a + 2][b] - 2.0 * net[a + 1][b] + p) * (again * scale[0] * scale[0]));
                 }
                 if b + 2 < N {
-                    add(&mut vv, (net[a][b + 2] - 2.0 * net[a][b + 1] + p) * (again * scale[1] * scale[1]));
+                    extend_ranges(&mut vv, (net[a][b + 2] - 2.0 * net[a][b + 1] + p) * (again * scale[1] * scale[1]));
                 }
             }
         }
         // The second derivatives of degree 1 vanish.
-        let all = |range: [Option<Interval>; 3]| range.map(|range| range.unwrap_or(Interval::point(0.0)));
+        let all = |range: [Option<Interval>; 3]| range.map(|range| range.unwrap_or(Interval::from_number(0.0)));
         HeightGraph::new([all(u), all(v)], [all(uu), all(uv), all(vv)])
     }
 }
 
-fn restrict_rows<const N: usize>(points: &mut [[DVec3; N]; N], range: [f64; 2]) {
+fn restrict_patch_rows<const N: usize>(points: &mut [[DVec3; N]; N], range: [f64; 2]) {
     for b in 0..N {
         let mut column = points.map(|row| row[b]);
         restrict(&mut column, range);
@@ -152,15 +155,15 @@ fn restrict_rows<const N: usize>(points: &mut [[DVec3; N]; N], range: [f64; 2]) 
 }
 
 /// Adds a vector to the ranges of its components.
-fn add(ranges: &mut [Option<Interval>; 3], vector: DVec3) {
+fn extend_ranges(ranges: &mut [Option<Interval>; 3], vector: DVec3) {
     for (range, x) in ranges.iter_mut().zip(vector.to_array()) {
-        *range = Some(range.map_or(Interval::point(x), |range| range.including(x)));
+        *range = Some(range.map_or(Interval::from_number(x), |range| range.extended_to(x)));
     }
 }
 
 /// Definiteness of a symmetric 2 x 2 matrix, proven for all values in its intervals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Form {
+pub(super) enum FormDefiniteness {
     /// Both eigenvalues are positive.
     Positive,
     /// Both eigenvalues are negative.
@@ -171,9 +174,9 @@ pub(super) enum Form {
     Unknown,
 }
 
-impl Form {
+impl FormDefiniteness {
     /// The definiteness of the second derivatives of the difference of two graphs.
-    pub(super) fn from_difference(one: &HeightGraph, other: &HeightGraph) -> Form {
+    pub(super) fn from_difference(one: &HeightGraph, other: &HeightGraph) -> FormDefiniteness {
         let [xx, xy, yy] = [0, 1, 2].map(|k| one.second[k] - other.second[k]);
         let Interval { low, high } = xx * yy;
         let square = xy.low.abs().max(xy.high.abs()).powi(2);
@@ -181,10 +184,10 @@ impl Form {
         // Rounding of the steps above.
         let slack = 1e-12 * (low.abs().max(high.abs()) + square);
         match () {
-            () if low - square > slack && xx.low > 0.0 => Form::Positive,
-            () if low - square > slack && xx.high < 0.0 => Form::Negative,
-            () if high - least < -slack => Form::Indefinite,
-            () => Form::Unknown,
+            () if low - square > slack && xx.low > 0.0 => FormDefiniteness::Positive,
+            () if low - square > slack && xx.high < 0.0 => FormDefiniteness::Negative,
+            () if high - least < -slack => FormDefiniteness::Indefinite,
+            () => FormDefiniteness::Unknown,
         }
     }
 }

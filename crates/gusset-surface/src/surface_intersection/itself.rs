@@ -4,18 +4,18 @@
 //! declaration are halved until it is proven that they have no others (`near`). Arcs are joined
 //! without regard to which of the two pieces is the first (`trails`).
 
-use super::bridge::Bridges;
+use super::bridge::ChainBridges;
 use super::chart::ParameterBox;
 use super::coordinate_net::CoordinateNet;
-use super::joints::Joints;
-use super::links::Chain;
-use super::near::NearPair;
+use super::joints::SheetJoints;
+use super::links::ArcChain;
+use super::near::AdjacentCellPair;
 use super::pairs::CellPair;
 use super::places::PairPlaces;
 use super::solve::FoundArcs;
-use super::trails::{Step, Trail, Trails};
-use super::{Intersection, Options, positive, rounding_error};
-use crate::cells::Cells;
+use super::trails::{Trail, TrailBuilder, TrailStep};
+use super::{Options, SurfaceIntersection, net_rounding_error, positive_or_default};
+use crate::cells::SheetCells;
 use crate::{Paths, Place, Surface, each_sheet};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
@@ -34,9 +34,9 @@ const MAX_POSTPONED_BOXES: usize = 1 << 22;
 /// Largest number of boxes for a postponed pair. A pinch point takes about 2^15.
 const MAX_BOXES_PER_POSTPONED_PAIR: usize = 1 << 16;
 /// Trails with fewer arcs may be scraps, which lie within the places reported as unresolved.
-const MIN_TRAIL_ARCS: usize = 8;
+const MIN_ARCS_OF_KEPT_TRAIL: usize = 8;
 /// Control points within this number of rounding errors are the same point.
-const JOINT_ROUNDINGS: f64 = 4.0;
+const MAX_SAME_POINT_DISTANCE_IN_ROUNDINGS: f64 = 4.0;
 
 impl Surface<'_> {
     /// Finds the curves in which a surface intersects itself. `places` are on one of the two
@@ -65,21 +65,21 @@ impl Surface<'_> {
     /// The errors of [`Surface::meet`].
     /// As [`Surface::meet`].
     pub fn meet_itself(&self, options: &Options, job: &Job<'_>) -> Result<Paths> {
-        let chord = positive("chord", options.chord, 1e-4 * self.diagonal())?;
-        let tolerance = positive("tolerance", options.tolerance, self.tolerance())?;
+        let chord = positive_or_default("chord", options.chord, 1e-4 * self.box_diagonal())?;
+        let tolerance = positive_or_default("tolerance", options.tolerance, self.tolerance())?;
         Error::require(tolerance.is_finite(), "tolerance", tolerance)?;
         // Adjacent cells are close to each other without touching.
-        let rounding = rounding_error(self.diagonal());
+        let rounding = net_rounding_error(self.box_diagonal());
         let tolerance = tolerance.min(self.tolerance()).max(8.0 * rounding);
-        let (joints, pairs) = self.own_pairs(tolerance, &job.part(0.0, 0.2))?;
+        let (joints, pairs) = self.joints_and_candidate_pairs(tolerance, &job.part(0.0, 0.2))?;
         let (mut near, mut far) = (Vec::new(), Vec::new());
         for (k, pair) in pairs.iter().enumerate() {
             job.part(0.2, 0.2).step_every(PAIRS_PER_REPORT, k, pairs.len(), "pairs of cells")?;
             let [a, b] = pair.sheets;
-            let joined = a == b && joints[a as usize].are_joined(pair.cells);
+            let joined = a == b && joints[a as usize].do_cells_share_points(pair.cells);
             alloc::push(if joined { &mut near } else { &mut far }, k as u32)?;
         }
-        let intersection = Intersection {
+        let intersection = SurfaceIntersection {
             places: PairPlaces {
                 surfaces: [self, self],
                 pairs: &pairs,
@@ -92,38 +92,51 @@ impl Surface<'_> {
             shortest: 0.5 * tolerance,
             chord: chord.max(tolerance),
         };
-        let mut pieces = intersection.solve(&far, &job.part(0.2, 0.5))?;
-        intersection.solve_near(&near, &joints, &mut pieces, &job.part(0.5, 0.9))?;
-        let pieces = intersection.cut_overlaps(&pieces, &job.part(0.9, 0.92))?.unwrap_or(pieces);
-        let trails = intersection.trails(&pieces, &job.part(0.92, 0.95))?;
+        let mut pieces = intersection.solve_pairs(&far, &job.part(0.2, 0.5))?;
+        intersection.solve_adjacent_pairs(&near, &joints, &mut pieces, &job.part(0.5, 0.9))?;
+        let pieces = intersection.cut_overlapping_arcs(&pieces, &job.part(0.9, 0.92))?.unwrap_or(pieces);
+        let trails = intersection.build_trails(&pieces, &job.part(0.92, 0.95))?;
         intersection.build_trail_paths(&pieces, &trails, &job.part(0.95, 1.0))
     }
 
     /// The joints of each sheet's cells, and the pairs of cells that may meet elsewhere.
-    fn own_pairs(&self, tolerance: f64, job: &Job<'_>) -> Result<(Vec<Joints>, Vec<CellPair>)> {
-        let noise = JOINT_ROUNDINGS * rounding_error(self.max_coordinate());
+    fn joints_and_candidate_pairs(&self, tolerance: f64, job: &Job<'_>) -> Result<(Vec<SheetJoints>, Vec<CellPair>)> {
+        let noise = MAX_SAME_POINT_DISTANCE_IN_ROUNDINGS * net_rounding_error(self.max_coordinate());
         let joints = alloc::try_collect::<_, Error>((0..self.len()).map(|k| {
             let sheet = self.sheet(k);
-            each_sheet!(sheet, cells => Joints::new(cells, sheet.is_closed(), noise, &job.part(0.0, 0.0)))
+            each_sheet!(sheet, cells => SheetJoints::new(cells, sheet.is_closed(), noise, &job.part(0.0, 0.0)))
         }))?;
         let proved = |pair: &CellPair| {
             let [a, b] = pair.sheets;
-            a == b && joints[a as usize].are_proved(pair.cells)
+            a == b && joints[a as usize].are_cells_proved_injective(pair.cells)
         };
         let pairs = self.candidates_of_itself(tolerance, &proved, job)?;
         Ok((joints, pairs))
     }
 }
 
-impl Intersection<'_> {
+impl SurfaceIntersection<'_> {
     /// Adds the arcs of cells that have points in common.
-    fn solve_near(&self, near: &[u32], joints: &[Joints], pieces: &mut FoundArcs, job: &Job<'_>) -> Result<()> {
-        self.solve_all_near(near, joints, MAX_BOXES_BEFORE_POSTPONING, false, pieces, &job.part(0.0, 0.5))?;
+    fn solve_adjacent_pairs(
+        &self,
+        pairs: &[u32],
+        joints: &[SheetJoints],
+        pieces: &mut FoundArcs,
+        job: &Job<'_>,
+    ) -> Result<()> {
+        self.solve_adjacent_pairs_with_limit(
+            pairs,
+            joints,
+            MAX_BOXES_BEFORE_POSTPONING,
+            false,
+            pieces,
+            &job.part(0.0, 0.5),
+        )?;
         let again = std::mem::take(&mut pieces.exhausted);
         if !again.is_empty() {
             let max_boxes =
                 (MAX_POSTPONED_BOXES / again.len()).clamp(MAX_BOXES_BEFORE_POSTPONING, MAX_BOXES_PER_POSTPONED_PAIR);
-            self.solve_all_near(&again, joints, max_boxes, true, pieces, &job.part(0.5, 1.0))?;
+            self.solve_adjacent_pairs_with_limit(&again, joints, max_boxes, true, pieces, &job.part(0.5, 1.0))?;
         }
         sort::stable(&mut pieces.arcs, &|a, b| (a.pair, a.from).cmp(&(b.pair, b.from)));
         sort::stable(&mut pieces.balls, &|a, b| a.pair.cmp(&b.pair));
@@ -132,75 +145,76 @@ impl Intersection<'_> {
 
     /// Adds the arcs of cells that have points in common, with at most `max_boxes` boxes for each
     /// pair. If `last`, the remaining boxes are reported.
-    fn solve_all_near(
+    fn solve_adjacent_pairs_with_limit(
         &self,
-        near: &[u32],
-        joints: &[Joints],
+        pairs: &[u32],
+        joints: &[SheetJoints],
         max_boxes: usize,
         last: bool,
         pieces: &mut FoundArcs,
         job: &Job<'_>,
     ) -> Result<()> {
         let together = if last { 1 } else { 16 };
-        let found = par::map_jobs(job, "intersection", near.chunks(together), |part, job| {
+        let found = par::map_jobs(job, "intersection", pairs.chunks(together), |part, job| {
             let mut found = FoundArcs::default();
             for &k in part {
                 let number = self.places.pairs[k as usize].sheets[0] as usize;
                 each_sheet!(self.places.surfaces[0].sheet(number), cells => {
-                    self.near_pair(cells, k, &joints[number], (max_boxes, last), &mut found, job)?;
+                    self.solve_adjacent_pair(cells, k, &joints[number], (max_boxes, last), &mut found, job)?;
                 });
             }
             Ok(found)
         })?;
-        found.iter().try_for_each(|found| pieces.append(found))
+        found.iter().try_for_each(|found| pieces.append_arcs(found))
     }
 
     /// Adds the arcs of two cells that have points in common.
-    fn near_pair<const N: usize>(
+    fn solve_adjacent_pair<const N: usize>(
         &self,
-        sheet: &impl Cells<N>,
+        sheet: &impl SheetCells<N>,
         k: u32,
-        joints: &Joints,
+        joints: &SheetJoints,
         (max_boxes, last): (usize, bool),
         found: &mut FoundArcs,
         job: &Job<'_>,
     ) -> Result<()> {
         let cells = self.places.pairs[k as usize].cells;
         let [(a, size), (b, other)] =
-            cells.map(|[i, j]| CoordinateNet::new(&sheet.patch(i as usize, j as usize), self.places.origin));
+            cells.map(|[i, j]| CoordinateNet::new(&sheet.cell_patch(i as usize, j as usize), self.places.origin));
         let mut whole = ParameterBox::<N, N>::WHOLE;
         (whole.nets.a, whole.nets.b) = (a, b);
-        let task = self.task(k, rounding_error(size.max(other)), max_boxes, last);
-        NearPair { task: &task, cells, joints }.solve(&whole, found, job)
+        let task = self.pair_task(k, net_rounding_error(size.max(other)), max_boxes, last);
+        AdjacentCellPair { task: &task, cells, joints }.solve_pair(&whole, found, job)
     }
 
     /// Joins the arcs to trails.
-    fn trails(&self, pieces: &FoundArcs, job: &Job<'_>) -> Result<Vec<Trail>> {
+    fn build_trails(&self, pieces: &FoundArcs, job: &Job<'_>) -> Result<Vec<Trail>> {
         let count = 2 * pieces.arcs.len();
         let normals = alloc::try_collect::<_, Error>((0..count).map(|k| {
             job.part(0.0, 0.5).step_every(ARCS_PER_REPORT, k, count, "paths")?;
             let arc = pieces.arcs[k / 2];
             let at = if k % 2 == 0 { arc.from } else { arc.to - 1 };
-            let places = self.places.places(arc.pair, pieces.points[at as usize]);
+            let places = self.places.clamped_places(arc.pair, pieces.points[at as usize]);
             Ok(places.map(|place| self.places.surfaces[0].normal(place)))
         }))?;
-        let trails = Trails { arcs: &pieces.arcs, normals: &normals, resolution: self.resolution };
-        let mut trails = trails.run(&job.part(0.5, 1.0))?;
-        trails.retain(|trail| trail.steps.len() >= MIN_TRAIL_ARCS || !self.is_scrap(pieces, trail));
+        let trails = TrailBuilder { arcs: &pieces.arcs, normals: &normals, resolution: self.resolution };
+        let mut trails = trails.build_trails(&job.part(0.5, 1.0))?;
+        trails.retain(|trail| trail.steps.len() >= MIN_ARCS_OF_KEPT_TRAIL || !self.is_scrap_trail(pieces, trail));
         // Removes duplicates.
         let chains = alloc::try_collect::<_, Error>(trails.iter().map(|trail| {
             let arcs = alloc::collect(trail.steps.iter().map(|step| step.arc))?;
-            Ok(Chain { arcs, closed: trail.closed })
+            Ok(ArcChain { arcs, closed: trail.closed })
         }))?;
         let mut dropped = alloc::filled(false, pieces.arcs.len())?;
-        let bridges = Bridges { pieces, surroundings: self, tolerance: self.tolerance, resolution: self.resolution };
-        bridges.drop_repeated(&chains, &mut dropped)?;
+        let bridges =
+            ChainBridges { pieces, surroundings: self, tolerance: self.tolerance, resolution: self.resolution };
+        bridges.drop_repeated_chains(&chains, &mut dropped)?;
         trails.retain(|trail| !dropped[trail.steps[0].arc as usize]);
         Ok(trails)
     }
 
     /// Whether all ends of a trail lie in unresolved balls of their pairs of cells.
-    fn is_scrap(&self, pieces: &FoundArcs, trail: &Trail) -> bool {
+    fn is_scrap_trail(&self, pieces: &FoundArcs, trail: &Trail) -> bool {
         trail.steps.iter().all(|step| {
             let arc = pieces.arcs[step.arc as usize];
             let first = pieces.balls.partition_point(|ball| ball.pair < arc.pair);
@@ -214,11 +228,12 @@ impl Intersection<'_> {
         let mut paths = Paths { ends: alloc::filled(0, 1)?, ..Paths::default() };
         for (k, trail) in trails.iter().enumerate() {
             job.step_every(1 << 10, k, trails.len(), "paths")?;
-            self.add_trail(pieces, trail, &mut paths)?;
+            self.add_trail_path(pieces, trail, &mut paths)?;
         }
-        self.evaluate(&mut paths)?;
+        self.evaluate_paths(&mut paths)?;
         let key = |place: &Place| (place.sheet, place.cell);
-        paths.unresolved = alloc::gather(pieces.balls.iter().flat_map(|ball| self.places.places(ball.pair, ball.x)))?;
+        paths.unresolved =
+            alloc::gather(pieces.balls.iter().flat_map(|ball| self.places.clamped_places(ball.pair, ball.x)))?;
         sort::stable(&mut paths.unresolved, &|a, b| key(a).cmp(&key(b)));
         paths.unresolved.dedup_by_key(|place| key(place));
         Ok(paths)
@@ -226,8 +241,8 @@ impl Intersection<'_> {
 
     /// Adds the points of a trail. A long trail omits joints within a pair of cells, where boxes
     /// were halved, if they are closer together than the chord tolerance.
-    fn add_trail(&self, pieces: &FoundArcs, trail: &Trail, paths: &mut Paths) -> Result<()> {
-        let arc = |step: &Step| &pieces.arcs[step.arc as usize];
+    fn add_trail_path(&self, pieces: &FoundArcs, trail: &Trail, paths: &mut Paths) -> Result<()> {
+        let arc = |step: &TrailStep| &pieces.arcs[step.arc as usize];
         let is_long =
             trail.steps.len() > 8 && trail.steps.iter().any(|step| arc(step).pair != arc(&trail.steps[0]).pair);
         let mut last: Option<(u32, DVec3)> = None;
@@ -244,7 +259,7 @@ impl Intersection<'_> {
             let count = own.point_count();
             for at in usize::from(spare)..count - usize::from(!ends_here) {
                 let at = own.from as usize + if step.reversed { count - 1 - at } else { at };
-                let [place, other] = self.places.places(own.pair, pieces.points[at]);
+                let [place, other] = self.places.clamped_places(own.pair, pieces.points[at]);
                 let [place, other] = if step.swapped { [other, place] } else { [place, other] };
                 alloc::push(&mut paths.places, place)?;
                 alloc::push(&mut paths.others, other)?;
@@ -275,7 +290,7 @@ mod tests {
         let nodes = Nodes::strided(data, 5, columns + 1, 0, 0).unwrap();
         let sheet = Sheet::Grid(Grid::new(nodes, [false, true], Scheme::SixTap).unwrap());
         let ball = Surface::new(vec![sheet], None, &Job::default()).unwrap();
-        let (_, pairs) = ball.own_pairs(ball.tolerance(), &Job::default()).unwrap();
+        let (_, pairs) = ball.joints_and_candidate_pairs(ball.tolerance(), &Job::default()).unwrap();
         let rows = |row: u32| pairs.iter().filter(|pair| pair.cells.iter().all(|cell| cell[0] == row)).count();
         assert!(rows(0) == 0 && rows(3) == 0, "{} {}", rows(0), rows(3));
         // Elsewhere, each cell forms a pair with itself and with the next one.

@@ -19,8 +19,8 @@
 
 use super::chart::ParameterBox;
 use super::coordinate_net::CoordinateNet;
-use super::joints::{Joint, Joints, PartRelation};
-use super::solve::{FoundArcs, PairSearch, PairTask, Stop};
+use super::joints::{CellJoint, CellPartRelation, SheetJoints};
+use super::solve::{CellPairSearch, FoundArcs, PairTask, SearchStop};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -28,67 +28,67 @@ use gusset_base::job::Job;
 
 /// Largest number of pairs of parts with common points that are not proven to have no others.
 /// Beyond it, the parts are reported as unresolved.
-const MAX_PARTS: usize = 512;
+const MAX_UNPROVEN_PART_PAIRS: usize = 512;
 /// Number of parts between two progress reports.
 const PARTS_PER_REPORT: usize = 1 << 8;
 
 /// Two cells of one sheet that have points in common.
-pub(super) struct NearPair<'a> {
+pub(super) struct AdjacentCellPair<'a> {
     pub(super) task: &'a PairTask,
     pub(super) cells: [[u32; 2]; 2],
-    pub(super) joints: &'a Joints,
+    pub(super) joints: &'a SheetJoints,
 }
 
 /// Bounds [low, high] of the derivatives of L S: by row of the matrix L, then by parameter (u, v)
 /// of the surface S.
-type Slopes = [[[f64; 2]; 2]; 2];
+type ProjectedDerivativeRanges = [[[f64; 2]; 2]; 2];
 
-impl NearPair<'_> {
+impl AdjacentCellPair<'_> {
     /// Adds the arcs of the pair.
-    pub(super) fn solve<const N: usize>(
+    pub(super) fn solve_pair<const N: usize>(
         &self,
         whole: &ParameterBox<N, N>,
         pieces: &mut FoundArcs,
         job: &Job<'_>,
     ) -> Result<()> {
         let mut search = self.task.begin_search(&whole.nets, pieces, job);
-        let outcome = self.descend(&mut search, whole);
-        search.finish(outcome, whole)
+        let outcome = self.descend_level_by_level(&mut search, whole);
+        search.finish_pair(outcome, whole)
     }
 
     /// Processes the parts level by level.
-    fn descend<const N: usize>(
+    fn descend_level_by_level<const N: usize>(
         &self,
-        search: &mut PairSearch<'_, N, N>,
+        search: &mut CellPairSearch<'_, N, N>,
         whole: &ParameterBox<N, N>,
-    ) -> Result<(), Stop> {
+    ) -> Result<(), SearchStop> {
         let mut parts = alloc::filled(whole.clone(), 1)?;
         while !parts.is_empty() {
             let mut left = Vec::new();
             for (k, part) in parts.into_iter().enumerate() {
                 if (k + 1).is_multiple_of(PARTS_PER_REPORT) {
-                    search.step()?;
+                    search.report_progress()?;
                 }
-                let joint = match self.joints.part_relation(self.cells, &part) {
-                    PartRelation::Injective => continue,
-                    PartRelation::Apart => {
-                        search.run_near(&part)?;
+                let joint = match self.joints.relation_of_parts(self.cells, &part) {
+                    CellPartRelation::Injective => continue,
+                    CellPartRelation::Apart => {
+                        search.search_box_of_adjacent_cells(&part)?;
                         continue;
                     }
-                    PartRelation::Joined(joint) => Some(joint),
-                    PartRelation::AtPole => None,
+                    CellPartRelation::Joined(joint) => Some(joint),
+                    CellPartRelation::AtPole => None,
                 };
-                if !joint.is_some_and(|joint| self.is_injective(&part, joint)) {
+                if !joint.is_some_and(|joint| self.is_proven_injective(&part, joint)) {
                     alloc::push(&mut left, part)?;
                 }
             }
-            let is_last = left.len() > MAX_PARTS;
+            let is_last = left.len() > MAX_UNPROVEN_PART_PAIRS;
             parts = Vec::new();
             for part in left {
-                if is_last || self.is_thin(&part) {
-                    search.report(&part, false);
+                if is_last || self.are_parts_within_line(&part) {
+                    search.report_ball(&part, false);
                 } else {
-                    self.split(&part, &mut parts)?;
+                    self.split_into_quarter_pairs(&part, &mut parts)?;
                 }
             }
         }
@@ -97,24 +97,28 @@ impl NearPair<'_> {
 
     /// True if both parts are within half the resolution of one line. All parts so close to a pinch
     /// point, of any size, are within the resolution of each other.
-    fn is_thin<const N: usize>(&self, part: &ParameterBox<N, N>) -> bool {
-        let [centre, u, v] = part.nets.a.tangents(0.5, 0.5);
+    fn are_parts_within_line<const N: usize>(&self, part: &ParameterBox<N, N>) -> bool {
+        let [centre, u, v] = part.nets.a.point_and_tangents(0.5, 0.5);
         let longer = if u.length_squared() >= v.length_squared() { u } else { v };
         let axis = longer.normalize_or_zero();
         let far = |p: &DVec3| (p - centre - axis * axis.dot(p - centre)).length();
-        let nets = [&part.nets.a, &part.nets.b].map(CoordinateNet::patch);
+        let nets = [&part.nets.a, &part.nets.b].map(CoordinateNet::to_patch);
         nets.iter().flat_map(|net| net.points.as_flattened()).all(|p| far(p) <= 0.5 * self.task.resolution)
     }
 
     /// Adds the 16 pairs of quarters of both parts. If both parts are the same, adds each pair
     /// once.
-    fn split<const N: usize>(&self, part: &ParameterBox<N, N>, parts: &mut Vec<ParameterBox<N, N>>) -> Result<()> {
+    fn split_into_quarter_pairs<const N: usize>(
+        &self,
+        part: &ParameterBox<N, N>,
+        parts: &mut Vec<ParameterBox<N, N>>,
+    ) -> Result<()> {
         let is_one = self.cells[0] == self.cells[1] && part.low.x == part.low.z && part.low.y == part.low.w;
         alloc::reserve(parts, 16)?;
-        for half in part.halves(0) {
-            for quarter in half.halves(1) {
-                for eighth in quarter.halves(2) {
-                    let both = eighth.halves(3).into_iter();
+        for half in part.halve_by_parameter(0) {
+            for quarter in half.halve_by_parameter(1) {
+                for eighth in quarter.halve_by_parameter(2) {
+                    let both = eighth.halve_by_parameter(3).into_iter();
                     let key = |x: f64, y: f64| (x > part.low.x, y > part.low.y);
                     parts.extend(
                         both.filter(|part| !is_one || key(part.low.x, part.low.y) <= key(part.low.z, part.low.w)),
@@ -126,10 +130,10 @@ impl NearPair<'_> {
     }
 
     /// True if S(p) = S(q) over the two parts is proven to have only the trivial solutions.
-    fn is_injective<const N: usize>(&self, part: &ParameterBox<N, N>, joint: Joint) -> bool {
+    fn is_proven_injective<const N: usize>(&self, part: &ParameterBox<N, N>, joint: CellJoint) -> bool {
         let signs = joint.flips.map(|flips| if flips { -1.0 } else { 1.0 });
-        let [_, u, v] = part.nets.a.tangents(0.5, 0.5);
-        let [_, other_u, other_v] = part.nets.b.tangents(0.5, 0.5);
+        let [_, u, v] = part.nets.a.point_and_tangents(0.5, 0.5);
+        let [_, other_u, other_v] = part.nets.b.point_and_tangents(0.5, 0.5);
         let (u, v) = (u + signs[0] * other_u, v + signs[1] * other_v);
         let normal = u.cross(v);
         let factor = 2.0 / normal.length_squared();
@@ -138,7 +142,10 @@ impl NearPair<'_> {
         }
         let rows = [v.cross(normal) * factor, normal.cross(u) * factor];
         let noise = |row: DVec3| 4.0 * (N - 1) as f64 * self.task.rounding_error * row.length();
-        let (a, b) = (bounds(&part.nets.a, rows, [1.0; 2]), bounds(&part.nets.b, rows, signs));
+        let (a, b) = (
+            derivative_ranges_along_rows(&part.nets.a, rows, [1.0; 2]),
+            derivative_ranges_along_rows(&part.nets.b, rows, signs),
+        );
         let [[least, x], [y, other]] = [0, 1].map(|k| {
             [0, 1].map(|n| {
                 let [low, high] = [a[k][n][0].min(b[k][n][0]), a[k][n][1].max(b[k][n][1])];
@@ -150,9 +157,13 @@ impl NearPair<'_> {
 }
 
 /// Bounds of the derivatives of a net along two rows. A negative sign reverses a parameter.
-fn bounds<const N: usize>(net: &CoordinateNet<N>, rows: [DVec3; 2], signs: [f64; 2]) -> Slopes {
+fn derivative_ranges_along_rows<const N: usize>(
+    net: &CoordinateNet<N>,
+    rows: [DVec3; 2],
+    signs: [f64; 2],
+) -> ProjectedDerivativeRanges {
     rows.map(|row| {
-        let ranges = net.project(row).slope_ranges();
+        let ranges = net.component_along(row).derivative_ranges();
         [0, 1].map(|k| {
             let [low, high] = ranges[k];
             if signs[k] < 0.0 { [-high, -low] } else { [low, high] }

@@ -12,7 +12,7 @@ use super::solve::{FoundArcs, IntersectionArc};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
-use gusset_base::geom::kd_tree::{KdTree, Radius};
+use gusset_base::geom::kd_tree::{KdTree, ScaledRadius};
 use gusset_base::job::Job;
 use gusset_base::sort;
 
@@ -21,11 +21,11 @@ const ARCS_PER_REPORT: usize = 1 << 6;
 
 /// Ends of other arcs within this fraction of an arc's length count as its own ends. The limit is
 /// clamped to this range of resolutions.
-const OWN_SHARE: f64 = 0.25;
-const OWN_RESOLUTIONS: [f64; 2] = [0.125, 2.0];
+const MAX_OWN_END_DISTANCE_FRACTION: f64 = 0.25;
+const OWN_END_DISTANCE_RANGE_IN_RESOLUTIONS: [f64; 2] = [0.125, 2.0];
 
 /// A cut through an arc, behind one of its points.
-struct Cut {
+struct ArcCut {
     arc: u32,
     behind: u32,
     /// Fraction of the chord at the cut.
@@ -34,7 +34,7 @@ struct Cut {
 }
 
 /// Cuts the arcs of all pairs of cells.
-pub(super) struct Overlaps<'a> {
+pub(super) struct OverlappingArcs<'a> {
     pub(super) pieces: &'a FoundArcs,
     pub(super) places: &'a PairPlaces<'a>,
     /// Accuracy of ends.
@@ -42,9 +42,9 @@ pub(super) struct Overlaps<'a> {
     pub(super) chord: f64,
 }
 
-impl Overlaps<'_> {
+impl OverlappingArcs<'_> {
     /// Cuts the arcs along sides. Returns `None` if no cut was needed.
-    pub(super) fn cut(&self, job: &Job<'_>) -> Result<Option<FoundArcs>> {
+    pub(super) fn cut_arcs_along_sides(&self, job: &Job<'_>) -> Result<Option<FoundArcs>> {
         let along = || self.pieces.arcs.iter().filter(|arc| arc.is_along_side);
         let ends = alloc::gather(along().flat_map(|arc| arc.ends))?;
         if ends.len() < 4 {
@@ -55,37 +55,39 @@ impl Overlaps<'_> {
         let arcs = &self.pieces.arcs;
         for (k, arc) in arcs.iter().enumerate().filter(|(_, arc)| arc.is_along_side) {
             job.part(0.1, 1.0).step_every(ARCS_PER_REPORT, k, arcs.len(), "paths")?;
-            self.add_cuts(k as u32, arc, &ends, &tree, &mut cuts)?;
+            self.add_cuts_of_arc(k as u32, arc, &ends, &tree, &mut cuts)?;
         }
         sort::stable(&mut cuts, &|a, b| (a.arc, a.behind).cmp(&(b.arc, b.behind)).then(a.way.total_cmp(&b.way)));
-        if cuts.is_empty() { Ok(None) } else { self.apply(&cuts).map(Some) }
+        if cuts.is_empty() { Ok(None) } else { self.apply_cuts(&cuts).map(Some) }
     }
 
     /// The distance up to which an end of another arc counts as one of this arc's ends. For short
     /// arcs, as beside poles, it is a fraction of their length.
-    fn reach(&self, arc: &IntersectionArc) -> f64 {
+    fn own_end_distance(&self, arc: &IntersectionArc) -> f64 {
         let length = arc.ends[0].distance(arc.ends[1]);
-        self.resolution * (OWN_SHARE * length / self.resolution).clamp(OWN_RESOLUTIONS[0], OWN_RESOLUTIONS[1])
+        self.resolution
+            * (MAX_OWN_END_DISTANCE_FRACTION * length / self.resolution)
+                .clamp(OWN_END_DISTANCE_RANGE_IN_RESOLUTIONS[0], OWN_END_DISTANCE_RANGE_IN_RESOLUTIONS[1])
     }
 
     /// Adds the cuts of one arc: at ends of other arcs that lie on it.
-    fn add_cuts(
+    fn add_cuts_of_arc(
         &self,
         k: u32,
         arc: &IntersectionArc,
         ends: &[DVec3],
         tree: &KdTree<'_>,
-        cuts: &mut Vec<Cut>,
+        cuts: &mut Vec<ArcCut>,
     ) -> Result<()> {
         let points = &self.pieces.points[arc.from as usize..arc.to as usize];
-        let within = self.reach(arc);
-        let mut from = self.places.point(arc.pair, points[0]);
+        let within = self.own_end_distance(arc);
+        let mut from = self.places.point_of_first_surface(arc.pair, points[0]);
         for (n, pair) in points.windows(2).enumerate() {
-            let to = self.places.point(arc.pair, pair[1]);
+            let to = self.places.point_of_first_surface(arc.pair, pair[1]);
             let (whole, mut result) = (to - from, Ok(()));
             // Without a chord tolerance, an arc turns little, because its box is small.
             let chord = self.chord.min(whole.length());
-            let reach = Radius::new((0.5 * whole.length() + chord).max(f64::MIN_POSITIVE));
+            let reach = ScaledRadius::new((0.5 * whole.length() + chord).max(f64::MIN_POSITIVE));
             tree.for_each_within(from.midpoint(to), reach, &mut |_, end| {
                 let end = ends[end as usize];
                 let way = (end - from).dot(whole) / whole.length_squared();
@@ -94,9 +96,9 @@ impl Overlaps<'_> {
                 if result.is_err() || is_own || !(0.0..=1.0).contains(&way) || off > 2.0 * chord {
                     return;
                 }
-                let at = self.places.nearest(arc.pair, pair[0].lerp(pair[1], way), end, self.resolution);
+                let at = self.places.nearest_curve_point(arc.pair, pair[0].lerp(pair[1], way), end, self.resolution);
                 if let Some(at) = at.filter(|at| at.point.distance(end) <= within) {
-                    result = alloc::push(cuts, Cut { arc: k, behind: n as u32, way, at });
+                    result = alloc::push(cuts, ArcCut { arc: k, behind: n as u32, way, at });
                 }
             });
             result?;
@@ -106,7 +108,7 @@ impl Overlaps<'_> {
     }
 
     /// Applies the cuts, which are sorted.
-    fn apply(&self, cuts: &[Cut]) -> Result<FoundArcs> {
+    fn apply_cuts(&self, cuts: &[ArcCut]) -> Result<FoundArcs> {
         let mut made = FoundArcs {
             points: alloc::copied(&self.pieces.points)?,
             arcs: alloc::with_capacity(self.pieces.arcs.len() + cuts.len())?,
@@ -120,19 +122,19 @@ impl Overlaps<'_> {
             let mut last = None;
             for cut in own {
                 // The ends of several other arcs may nearly coincide.
-                let before = last.map_or(arc.ends[0], |cut: &Cut| cut.at.point);
-                if before.distance(cut.at.point) > self.reach(arc) {
-                    self.add_part(arc, [last, Some(cut)], &mut made)?;
+                let before = last.map_or(arc.ends[0], |cut: &ArcCut| cut.at.point);
+                if before.distance(cut.at.point) > self.own_end_distance(arc) {
+                    self.add_part_of_arc(arc, [last, Some(cut)], &mut made)?;
                     last = Some(cut);
                 }
             }
-            if last.is_some() { self.add_part(arc, [last, None], &mut made)? } else { made.arcs.push(*arc) }
+            if last.is_some() { self.add_part_of_arc(arc, [last, None], &mut made)? } else { made.arcs.push(*arc) }
         }
         Ok(made)
     }
 
     /// Adds the part of an arc between two cuts. `None` means the arc's own end.
-    fn add_part(&self, arc: &IntersectionArc, cuts: [Option<&Cut>; 2], made: &mut FoundArcs) -> Result<()> {
+    fn add_part_of_arc(&self, arc: &IntersectionArc, cuts: [Option<&ArcCut>; 2], made: &mut FoundArcs) -> Result<()> {
         let [from, to] = cuts.map(|cut| cut.map(|cut| arc.from + cut.behind + 1));
         let inner = from.unwrap_or(arc.from) as usize..to.unwrap_or(arc.to) as usize;
         let mut part = IntersectionArc { from: made.points.len() as u32, ..*arc };

@@ -5,8 +5,8 @@
 //! surface over their cells, so that no pair that meets is discarded. Cost: O(pairs of blocks close
 //! to each other).
 
-use crate::cells::{BLOCK, Cells, cells_of_block};
-use crate::index::{OrientedBox, Pyramid};
+use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells, cells_of_block};
+use crate::index::{BoxPyramid, OrientedBox};
 use crate::{Sheet, Surface, each_sheet};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -31,10 +31,10 @@ pub const MAX_PAIRS: u64 = 1 << 26;
 const PAIRS_PER_REPORT: usize = 1 << 16;
 
 /// A sheet and its index.
-struct Indexed<'a> {
+struct IndexedSheet<'a> {
     number: u32,
     sheet: &'a Sheet<'a>,
-    index: &'a Pyramid,
+    index: &'a BoxPyramid,
 }
 
 /// A block of one of the sheets.
@@ -65,14 +65,14 @@ impl Parallelepiped {
     }
 
     fn from_oriented_box(oriented: &OrientedBox, shift: DVec3) -> Parallelepiped {
-        let (centre, half) = oriented.edges();
+        let (centre, half) = oriented.centre_and_half_edges();
         Parallelepiped::new(centre + shift, half)
     }
 
-    /// False if a separating axis proves that the solids are farther apart than `by`. The axes are
+    /// False if a separating axis proves that the solids are farther apart than `gap`. The axes are
     /// the normals of faces, and the cross products of pairs of edges. Extents along them are sums
     /// of products of the half edges of one solid and the normals of the other.
-    fn meets(&self, other: &Parallelepiped, by: f64) -> bool {
+    fn may_meet(&self, other: &Parallelepiped, gap: f64) -> bool {
         let between = other.centre - self.centre;
         let products = |one: &Parallelepiped, other: &Parallelepiped| {
             one.normals.map(|n| other.half.map(|half| half.dot(n).abs()))
@@ -80,7 +80,7 @@ impl Parallelepiped {
         let beyond = |one: &Parallelepiped, products: &[[f64; 3]; 3]| {
             (0..3).any(|k| {
                 let area = one.lengths[(k + 1) % 3] * one.lengths[(k + 2) % 3];
-                between.dot(one.normals[k]).abs() > one.volume + products[k].iter().sum::<f64>() + by * area
+                between.dot(one.normals[k]).abs() > one.volume + products[k].iter().sum::<f64>() + gap * area
             })
         };
         let of_other = products(self, other);
@@ -97,49 +97,56 @@ impl Parallelepiped {
             let extent =
                 of_other[(i + 1) % 3][j] + of_other[(i + 2) % 3][j] + of_self[(j + 1) % 3][i] + of_self[(j + 2) % 3][i];
             let across = between.dot(self.half[i].cross(other.half[j]));
-            across.abs() > extent + by * self.lengths[i] * other.lengths[j]
+            across.abs() > extent + gap * self.lengths[i] * other.lengths[j]
         };
         !(0..9).any(|k| edges(k / 3, k % 3))
     }
 }
 
 impl BlockNode {
-    fn root(index: &Pyramid, shift: DVec3) -> BlockNode {
-        let bounds = translated(index.bounds(), shift - index.origin());
+    fn whole_sheet(index: &BoxPyramid, shift: DVec3) -> BlockNode {
+        let bounds = translate_box(index.bounding_box(), shift - index.origin());
         BlockNode { level: index.levels().len(), row: 0, column: 0, bounds, solid: None }
     }
 
-    /// Child k, if it exists and may be within `by` of another block.
-    fn child(&self, k: usize, index: &Pyramid, shift: DVec3, near: &BlockNode, by: f64) -> Option<BlockNode> {
+    /// Child k, if it exists and may be within `gap` of another block.
+    fn child_near_block(
+        &self,
+        k: usize,
+        index: &BoxPyramid,
+        shift: DVec3,
+        near: &BlockNode,
+        gap: f64,
+    ) -> Option<BlockNode> {
         let level = &index.levels()[self.level - 1];
         // The boxes of blocks that do not exist are empty.
-        let bounds = translated(level.child_boxes(self.row, self.column).get(k), shift);
-        if !boxes_overlap(&bounds, &near.bounds, by) {
+        let bounds = translate_box(level.child_boxes(self.row, self.column).child_box(k), shift);
+        if !are_boxes_within(&bounds, &near.bounds, gap) {
             return None;
         }
         let (row, column) = (2 * self.row + k / 2, 2 * self.column + k % 2);
-        let solid = level.oriented(row, column).map(|oriented| Parallelepiped::from_oriented_box(oriented, shift));
-        let apart = solid.as_ref().zip(near.solid.as_ref()).is_some_and(|(one, other)| !one.meets(other, by));
+        let solid = level.oriented_box(row, column).map(|oriented| Parallelepiped::from_oriented_box(oriented, shift));
+        let apart = solid.as_ref().zip(near.solid.as_ref()).is_some_and(|(one, other)| !one.may_meet(other, gap));
         (!apart).then_some(BlockNode { level: self.level - 1, row, column, bounds, solid })
     }
 
-    fn extent(&self) -> f64 {
+    fn longest_side(&self) -> f64 {
         (self.bounds.high - self.bounds.low).max_element()
     }
 }
 
-fn translated(bounds: Aabb, by: DVec3) -> Aabb {
-    Aabb { low: bounds.low + by, high: bounds.high + by }
+fn translate_box(bounds: Aabb, shift: DVec3) -> Aabb {
+    Aabb { low: bounds.low + shift, high: bounds.high + shift }
 }
 
-fn boxes_overlap(a: &Aabb, b: &Aabb, by: f64) -> bool {
-    (a.low - by).cmple(b.high).all() && (b.low - by).cmple(a.high).all()
+fn are_boxes_within(a: &Aabb, b: &Aabb, gap: f64) -> bool {
+    (a.low - gap).cmple(b.high).all() && (b.low - gap).cmple(a.high).all()
 }
 
 /// The quadrilateral of a cell, relative to the common origin: the points c + x a + y b + x y t for
 /// x and y from -1 to 1.
 #[derive(Clone, Copy)]
-struct Quadrilateral {
+struct CellQuadrilateral {
     cell: [u32; 2],
     bounds: Aabb,
     centre: DVec3,
@@ -151,11 +158,11 @@ struct Quadrilateral {
     rise: f64,
 }
 
-impl Quadrilateral {
-    fn new(cell: [u32; 2], [[p, q], [r, s]]: [[DVec3; 2]; 2], bounds: Aabb) -> Quadrilateral {
+impl CellQuadrilateral {
+    fn new(cell: [u32; 2], [[p, q], [r, s]]: [[DVec3; 2]; 2], bounds: Aabb) -> CellQuadrilateral {
         let half = [0.25 * (r + s - p - q), 0.25 * (q + s - p - r)];
         let (twist, normal) = (0.25 * (p + s - q - r), half[0].cross(half[1]));
-        Quadrilateral {
+        CellQuadrilateral {
             cell,
             bounds,
             centre: 0.25 * (p + q + r + s),
@@ -168,16 +175,17 @@ impl Quadrilateral {
     }
 
     /// False if a separating axis of the two parallelograms, with their twists added, proves that
-    /// the quadrilaterals are farther apart than `by`.
-    fn meets(&self, other: &Quadrilateral, by: f64) -> bool {
-        if !boxes_overlap(&self.bounds, &other.bounds, by) {
+    /// the quadrilaterals are farther apart than `gap`.
+    fn may_meet(&self, other: &CellQuadrilateral, gap: f64) -> bool {
+        if !are_boxes_within(&self.bounds, &other.bounds, gap) {
             return false;
         }
         let between = other.centre - self.centre;
-        let along = |one: &Quadrilateral, other: &Quadrilateral| other.half.map(|half| half.dot(one.normal).abs());
-        let beyond = |one: &Quadrilateral, other: &Quadrilateral, [x, y]: [f64; 2]| {
+        let along =
+            |one: &CellQuadrilateral, other: &CellQuadrilateral| other.half.map(|half| half.dot(one.normal).abs());
+        let beyond = |one: &CellQuadrilateral, other: &CellQuadrilateral, [x, y]: [f64; 2]| {
             let extent = one.rise + x + y + other.twist.dot(one.normal).abs();
-            between.dot(one.normal).abs() > extent + by * one.lengths[0] * one.lengths[1]
+            between.dot(one.normal).abs() > extent + gap * one.lengths[0] * one.lengths[1]
         };
         let of_other = along(self, other);
         if beyond(self, other, of_other) {
@@ -190,7 +198,7 @@ impl Quadrilateral {
         let edges = |i: usize, j: usize| {
             let axis = self.half[i].cross(other.half[j]);
             let extent = of_other[j] + of_self[i] + self.twist.dot(axis).abs() + other.twist.dot(axis).abs();
-            between.dot(axis).abs() > extent + by * self.lengths[i] * other.lengths[j]
+            between.dot(axis).abs() > extent + gap * self.lengths[i] * other.lengths[j]
         };
         !(0..4).any(|k| edges(k / 2, k % 2))
     }
@@ -199,48 +207,48 @@ impl Quadrilateral {
 /// The corners of the cells of a block, and the cells that may meet another block.
 struct BlockCells {
     at: [usize; 2],
-    corners: [[DVec3; BLOCK + 1]; BLOCK + 1],
+    corners: [[DVec3; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1],
     /// Bound of the distance between the surface and the cells' quadrilaterals.
     deviation: f64,
-    quads: Vec<Quadrilateral>,
+    quads: Vec<CellQuadrilateral>,
 }
 
 impl BlockCells {
-    const NONE: BlockCells = BlockCells {
+    const NO_BLOCK: BlockCells = BlockCells {
         at: [usize::MAX; 2],
-        corners: [[DVec3::ZERO; BLOCK + 1]; BLOCK + 1],
+        corners: [[DVec3::ZERO; CELLS_PER_BLOCK_SIDE + 1]; CELLS_PER_BLOCK_SIDE + 1],
         deviation: 0.0,
         quads: Vec::new(),
     };
 
     /// Reads the block at a node, unless it is the current one.
-    fn read(&mut self, sheet: &Indexed<'_>, node: &BlockNode, origin: DVec3) {
+    fn read_block(&mut self, sheet: &IndexedSheet<'_>, node: &BlockNode, origin: DVec3) {
         if self.at == [node.row, node.column] {
             return;
         }
         self.at = [node.row, node.column];
-        self.deviation = sheet.index.deviation(node.row, node.column);
+        self.deviation = sheet.index.block_deviation(node.row, node.column);
         let [rows, columns] = sheet.sheet.cells();
-        let [first, left] = self.at.map(|at| at * BLOCK);
+        let [first, left] = self.at.map(|at| at * CELLS_PER_BLOCK_SIDE);
         each_sheet!(sheet.sheet, cells => {
             for (i, line) in (first..=rows).zip(&mut self.corners) {
                 for (j, corner) in (left..=columns).zip(line) {
-                    *corner = cells.corner(i, j) - origin;
+                    *corner = cells.corner_point(i, j) - origin;
                 }
             }
         });
     }
 
-    /// Selects the cells that may be within `by` of a box.
-    fn select_cells(&mut self, sheet: &Sheet<'_>, near: &Aabb, by: f64) {
+    /// Selects the cells that may be within `gap` of a box.
+    fn select_cells_near(&mut self, sheet: &Sheet<'_>, near: &Aabb, gap: f64) {
         self.quads.clear();
         for [i, j] in cells_of_block(self.at, sheet.cells()) {
-            let (r, c) = (i % BLOCK, j % BLOCK);
+            let (r, c) = (i % CELLS_PER_BLOCK_SIDE, j % CELLS_PER_BLOCK_SIDE);
             let corners = [0, 1].map(|k| [self.corners[r + k][c], self.corners[r + k][c + 1]]);
             let [[p, q], [s, t]] = corners;
             let bounds = Aabb { low: p.min(q).min(s.min(t)), high: p.max(q).max(s.max(t)) };
-            if boxes_overlap(&bounds, near, by) {
-                self.quads.push(Quadrilateral::new([i as u32, j as u32], corners, bounds));
+            if are_boxes_within(&bounds, near, gap) {
+                self.quads.push(CellQuadrilateral::new([i as u32, j as u32], corners, bounds));
             }
         }
     }
@@ -290,19 +298,19 @@ impl Surface<'_> {
         let mut cell_pairs = Vec::new();
         for [k, n] in sheets {
             let [a, b] = [(self, k), (other, n)].map(|(surface, k)| {
-                let (sheet, index) = surface.indexed(k);
-                Indexed { number: k as u32, sheet, index }
+                let (sheet, index) = surface.sheet_and_index(k);
+                IndexedSheet { number: k as u32, sheet, index }
             });
-            pairs(&a, &b, (within, wanted), &mut cell_pairs, job)?;
+            add_pairs_of_sheets(&a, &b, (within, wanted), &mut cell_pairs, job)?;
         }
         Ok(cell_pairs)
     }
 }
 
 /// Adds the wanted pairs of cells of two sheets that may be within `within`, sorted.
-fn pairs(
-    a: &Indexed<'_>,
-    b: &Indexed<'_>,
+fn add_pairs_of_sheets(
+    a: &IndexedSheet<'_>,
+    b: &IndexedSheet<'_>,
     (within, wanted): (f64, &dyn Fn(&CellPair) -> bool),
     found: &mut Vec<CellPair>,
     job: &Job<'_>,
@@ -311,14 +319,14 @@ fn pairs(
     let shift = b.index.origin() - origin;
     // Boxes contain the surface exactly, but the shift between the two origins rounds.
     let size = [a, b].map(|sheet| {
-        let Aabb { low, high } = sheet.index.bounds();
+        let Aabb { low, high } = sheet.index.bounding_box();
         low.abs().max(high.abs()).max_element()
     });
     let by = within + 8.0 * f64::EPSILON * size[0].max(size[1]);
     let before = found.len();
-    let blocks = [BlockCells::NONE; 2];
-    let mut descent = Descent { a, b, origin, shift, by, wanted, blocks, unheard: 0, found, job };
-    descent.visit(&BlockNode::root(a.index, DVec3::ZERO), &BlockNode::root(b.index, shift))?;
+    let blocks = [BlockCells::NO_BLOCK; 2];
+    let mut descent = PyramidPairDescent { a, b, origin, shift, by, wanted, blocks, unheard: 0, found, job };
+    descent.visit_block_pair(&BlockNode::whole_sheet(a.index, DVec3::ZERO), &BlockNode::whole_sheet(b.index, shift))?;
     let key = |pair: &CellPair| {
         let [[i, j], [k, l]] = pair.cells.map(|cell| cell.map(u128::from));
         i << 96 | j << 64 | k << 32 | l
@@ -327,9 +335,9 @@ fn pairs(
 }
 
 /// The simultaneous descent of both pyramids.
-struct Descent<'a> {
-    a: &'a Indexed<'a>,
-    b: &'a Indexed<'a>,
+struct PyramidPairDescent<'a> {
+    a: &'a IndexedSheet<'a>,
+    b: &'a IndexedSheet<'a>,
     /// The origin of coordinates, and the shift of B's boxes to it.
     origin: DVec3,
     shift: DVec3,
@@ -344,7 +352,7 @@ struct Descent<'a> {
     job: &'a Job<'a>,
 }
 
-impl Descent<'_> {
+impl PyramidPairDescent<'_> {
     /// Counts examined pairs, and reports progress.
     fn count_pairs(&mut self, pairs: usize) -> Result<()> {
         self.unheard += pairs;
@@ -356,37 +364,37 @@ impl Descent<'_> {
     }
 
     /// Adds the pairs of cells of two blocks of any level.
-    fn visit(&mut self, one: &BlockNode, other: &BlockNode) -> Result<()> {
+    fn visit_block_pair(&mut self, one: &BlockNode, other: &BlockNode) -> Result<()> {
         self.count_pairs(1)?;
         if one.level == 0 && other.level == 0 {
-            return self.cells(one, other);
+            return self.add_cell_pairs(one, other);
         }
-        let Descent { a, b, shift, by, .. } = *self;
-        let halves_a = one.level > 0 && (other.level == 0 || one.extent() >= other.extent());
+        let PyramidPairDescent { a, b, shift, by, .. } = *self;
+        let halves_a = one.level > 0 && (other.level == 0 || one.longest_side() >= other.longest_side());
         for k in 0..4 {
             if halves_a {
-                if let Some(child) = one.child(k, a.index, DVec3::ZERO, other, by) {
-                    self.visit(&child, other)?;
+                if let Some(child) = one.child_near_block(k, a.index, DVec3::ZERO, other, by) {
+                    self.visit_block_pair(&child, other)?;
                 }
-            } else if let Some(child) = other.child(k, b.index, shift, one, by) {
-                self.visit(one, &child)?;
+            } else if let Some(child) = other.child_near_block(k, b.index, shift, one, by) {
+                self.visit_block_pair(one, &child)?;
             }
         }
         Ok(())
     }
 
     /// Adds the pairs of cells of two blocks of level 0.
-    fn cells(&mut self, one: &BlockNode, other: &BlockNode) -> Result<()> {
-        let Descent { a, b, wanted, ref mut blocks, ref mut found, .. } = *self;
+    fn add_cell_pairs(&mut self, one: &BlockNode, other: &BlockNode) -> Result<()> {
+        let PyramidPairDescent { a, b, wanted, ref mut blocks, ref mut found, .. } = *self;
         let [left, right] = blocks;
-        left.read(a, one, self.origin);
-        right.read(b, other, self.origin);
+        left.read_block(a, one, self.origin);
+        right.read_block(b, other, self.origin);
         let by = self.by + left.deviation + right.deviation;
-        left.select_cells(a.sheet, &other.bounds, by);
-        right.select_cells(b.sheet, &one.bounds, by);
+        left.select_cells_near(a.sheet, &other.bounds, by);
+        right.select_cells_near(b.sheet, &one.bounds, by);
         for (p, q) in left.quads.iter().flat_map(|p| right.quads.iter().map(move |q| (p, q))) {
             let pair = CellPair { sheets: [a.number, b.number], cells: [p.cell, q.cell] };
-            if wanted(&pair) && p.meets(q, by) {
+            if wanted(&pair) && p.may_meet(q, by) {
                 alloc::push(found, pair)?;
             }
         }
@@ -422,8 +430,8 @@ mod tests {
             // The gap runs from the farthest corner of one box to the nearest of the other, so it
             // is the distance between them.
             other.centre = corner(&one) + gap * along + corner(&other);
-            assert!(one.meets(&other, gap * (1.0 + 1e-9)), "{k}");
-            assert!(!one.meets(&other, 0.5 * gap), "{k}");
+            assert!(one.may_meet(&other, gap * (1.0 + 1e-9)), "{k}");
+            assert!(!one.may_meet(&other, 0.5 * gap), "{k}");
         }
     }
 }

@@ -6,15 +6,15 @@
 //! within the tolerance of each other everywhere: the surfaces touch there, or coincide. Cost:
 //! O(N^2) for a test, O(N^3) for a split, at most `max_boxes` boxes.
 
-use super::arc::{ArcEnd, ArcSearch, PARAMETER_ROUNDING};
+use super::arc::{ArcBoxSearch, ArcEnd, MAX_CROSSING_PARAMETER_ROUNDING};
 use super::arc_refinement::ArcRefinement;
 use super::chart::ParameterBox;
-use super::equation::Equation;
+use super::equation::IntersectionEquation;
 use crate::Patch;
 use glam::{DVec3, DVec4};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
-use gusset_base::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
+use gusset_base::geom::subdivision::{BoxTest, Subdivision, SubdivisionLimits, subdivide};
 use gusset_base::job::Job;
 use std::borrow::Cow;
 
@@ -25,27 +25,27 @@ const BOXES_BEFORE_DEGENERACY_TEST: usize = 12;
 /// In boxes up to this many tolerances long, the search does not report a contact if the surfaces
 /// are transversal and proved apart. The width of a contact is the square root of the tolerance
 /// times the radius of curvature.
-const SLENDER_TOLERANCES: f64 = 64.0;
+const MAX_SLENDER_BOX_IN_TOLERANCES: f64 = 64.0;
 /// In boxes up to this many resolutions long, the search does not report a contact if the surfaces
 /// are proved apart.
-const TINY_RESOLUTIONS: f64 = 4.0;
+const MAX_TINY_BOX_IN_RESOLUTIONS: f64 = 4.0;
 /// Thickness of pieces below which they are not halved further, in tolerances. It is smaller than
 /// the lens between surfaces that overlap by more than the tolerance, so the complete rim of a lens
 /// is found.
-const CONTACT_THICKNESS_TOLERANCES: f64 = 1.0 / 32.0;
+const MIN_HALVED_THICKNESS_IN_TOLERANCES: f64 = 1.0 / 32.0;
 
 /// Boxes smaller than this in a parameter are halved in another parameter.
-const MIN_SPLIT_SIZE: f64 = 1e-8;
+const MIN_HALVED_PARAMETER_SIZE: f64 = 1e-8;
 /// A curve may run along a side if both ends are within this distance of it, in parameters.
-const SIDE_SLACK: f64 = 1e-6;
+const MAX_ALONG_SIDE_DISTANCE: f64 = 1e-6;
 /// Largest slope of a curve that runs along a side, in parameters.
-const MAX_SIDE_SLOPE: f64 = 1e-2;
+const MAX_ALONG_SIDE_SLOPE: f64 = 1e-2;
 
 /// Number of boxes of a pair between two progress reports.
 const BOXES_PER_REPORT: usize = 1 << 10;
 
 /// Largest number of separate balls of one pair.
-const MAX_BALLS: usize = 64;
+const MAX_BALLS_PER_PAIR: usize = 64;
 
 /// An arc of the intersection over one pair of cells, in the direction N_A x N_B.
 #[derive(Debug, Clone, Copy)]
@@ -103,19 +103,19 @@ pub(super) struct FoundArcs {
 
 impl FoundArcs {
     /// The numbers of points, arcs and balls.
-    fn counts(&self) -> [usize; 3] {
+    fn item_counts(&self) -> [usize; 3] {
         [self.points.len(), self.arcs.len(), self.balls.len()]
     }
 
     /// Removes all points, arcs and balls beyond the given counts.
-    fn truncate(&mut self, [points, arcs, balls]: [usize; 3]) {
+    fn truncate_to_counts(&mut self, [points, arcs, balls]: [usize; 3]) {
         self.points.truncate(points);
         self.arcs.truncate(arcs);
         self.balls.truncate(balls);
     }
 
     /// Adds the arcs and balls of other pairs.
-    pub(super) fn append(&mut self, other: &FoundArcs) -> Result<()> {
+    pub(super) fn append_arcs(&mut self, other: &FoundArcs) -> Result<()> {
         let before = self.points.len() as u32;
         alloc::append(&mut self.points, &other.points)?;
         let moved = |arc: &IntersectionArc| IntersectionArc { from: arc.from + before, to: arc.to + before, ..*arc };
@@ -150,21 +150,22 @@ pub(super) struct PairTask {
 impl PairTask {
     /// Whether each end of an arc is on a side without another cell beyond it. A side along which
     /// the arc runs does not count.
-    fn are_at_border(&self, ends: [DVec4; 2], is_along_side: bool) -> [bool; 2] {
+    fn are_ends_at_border(&self, ends: [DVec4; 2], is_along_side: bool) -> [bool; 2] {
         let sides = |x: f64, slack: f64| [x <= slack, x >= 1.0 - slack];
         // A short arc that ends at a side has both ends close to it.
         let run = (ends[1] - ends[0]).abs();
-        let is_level = |k: usize| run[k] <= MAX_SIDE_SLOPE * run.max_element();
-        let runs_along =
-            |k: usize, side: usize| is_along_side && is_level(k) && ends.iter().all(|x| sides(x[k], SIDE_SLACK)[side]);
+        let is_level = |k: usize| run[k] <= MAX_ALONG_SIDE_SLOPE * run.max_element();
+        let runs_along = |k: usize, side: usize| {
+            is_along_side && is_level(k) && ends.iter().all(|x| sides(x[k], MAX_ALONG_SIDE_DISTANCE)[side])
+        };
         let ends_at = |x: DVec4, k: usize, side: usize| {
-            sides(x[k], PARAMETER_ROUNDING)[side] && !self.neighbours[k][side] && !runs_along(k, side)
+            sides(x[k], MAX_CROSSING_PARAMETER_ROUNDING)[side] && !self.neighbours[k][side] && !runs_along(k, side)
         };
         ends.map(|x| (0..4).any(|k| (0..2).any(|side| ends_at(x, k, side))))
     }
 
     /// Adds the arcs of the pair.
-    pub(super) fn solve<const N: usize, const M: usize>(
+    pub(super) fn solve_pair<const N: usize, const M: usize>(
         &self,
         whole: &ParameterBox<N, M>,
         pieces: &mut FoundArcs,
@@ -172,30 +173,30 @@ impl PairTask {
     ) -> Result<()> {
         let mut search = self.begin_search(&whole.nets, pieces, job);
         // Most pairs have one box, so it is borrowed and no memory is allocated.
-        let outcome = search.run(Cow::Borrowed(whole));
-        search.finish(outcome, whole)
+        let outcome = search.search_box(Cow::Borrowed(whole));
+        search.finish_pair(outcome, whole)
     }
 
     /// Begins a search whose boxes share the limit of the pair. The caller runs it.
     pub(super) fn begin_search<'a, const N: usize, const M: usize>(
         &'a self,
-        equation: &'a Equation<N, M>,
+        equation: &'a IntersectionEquation<N, M>,
         pieces: &'a mut FoundArcs,
         job: &'a Job<'a>,
-    ) -> PairSearch<'a, N, M> {
-        PairSearch { task: self, equation, before: pieces.counts(), examined: 0, is_near: false, pieces, job }
+    ) -> CellPairSearch<'a, N, M> {
+        CellPairSearch { task: self, equation, before: pieces.item_counts(), examined: 0, is_near: false, pieces, job }
     }
 }
 
 /// The largest distance of control points from a point.
-fn radius_about<const N: usize>(centre: DVec3, patch: &Patch<N>) -> f64 {
+fn max_control_distance<const N: usize>(centre: DVec3, patch: &Patch<N>) -> f64 {
     patch.points.as_flattened().iter().map(|corner| corner.distance(centre)).fold(0.0, f64::max)
 }
 
 /// The search in one pair of cells.
-pub(super) struct PairSearch<'a, const N: usize, const M: usize> {
+pub(super) struct CellPairSearch<'a, const N: usize, const M: usize> {
     task: &'a PairTask,
-    equation: &'a Equation<N, M>,
+    equation: &'a IntersectionEquation<N, M>,
     /// The counts before the search.
     before: [usize; 3],
     examined: usize,
@@ -206,7 +207,7 @@ pub(super) struct PairSearch<'a, const N: usize, const M: usize> {
 }
 
 /// The reason why a search ends early.
-pub(super) enum Stop {
+pub(super) enum SearchStop {
     /// The cells touch at many places, or have zero area.
     Degenerate,
     /// The limit of boxes is reached.
@@ -214,52 +215,56 @@ pub(super) enum Stop {
     Failed(Error),
 }
 
-impl From<Error> for Stop {
+impl From<Error> for SearchStop {
     fn from(error: Error) -> Self {
-        Stop::Failed(error)
+        SearchStop::Failed(error)
     }
 }
 
-impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>, 2> for PairSearch<'_, N, M> {
+impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>, 2> for CellPairSearch<'_, N, M> {
     /// The ends of an arc, and its free parameter.
     type Solution = ([ArcEnd; 2], usize);
     /// The parameter to halve.
     type Split = usize;
-    type Stop = Stop;
+    type Stop = SearchStop;
 
-    fn classify(&mut self, part: &Cow<'a, ParameterBox<N, M>>) -> Result<BoxTest<([ArcEnd; 2], usize), usize>, Stop> {
+    fn classify(
+        &mut self,
+        part: &Cow<'a, ParameterBox<N, M>>,
+    ) -> Result<BoxTest<([ArcEnd; 2], usize), usize>, SearchStop> {
         let (PairTask { tolerance, resolution, rounding_error, .. }, equation) = (*self.task, self.equation);
         self.examined += 1;
         if self.examined.is_multiple_of(BOXES_PER_REPORT) {
-            self.step()?;
+            self.report_progress()?;
         }
-        let has_no_area = || equation.a.patch().has_no_area() && equation.b.patch().has_no_area();
-        if self.examined == BOXES_BEFORE_DEGENERACY_TEST && (has_no_area() || self.coincide()) {
-            return Err(Stop::Degenerate);
+        let has_no_area = || equation.a.to_patch().has_zero_area() && equation.b.to_patch().has_zero_area();
+        if self.examined == BOXES_BEFORE_DEGENERACY_TEST && (has_no_area() || self.do_cells_coincide()) {
+            return Err(SearchStop::Degenerate);
         }
         if self.examined > self.task.max_boxes {
-            return if self.task.last { Ok(BoxTest::Unresolved) } else { Err(Stop::Exhausted) };
+            return if self.task.last { Ok(BoxTest::Unresolved) } else { Err(SearchStop::Exhausted) };
         }
         // If half of the boxes did not resolve a contact, more will not. The other half is spent on
         // branches elsewhere, and contacts are left unresolved at the tolerance.
         let is_put_back = !self.task.last && resolution < tolerance;
         let is_fine = self.examined <= self.task.max_boxes / 2 || is_put_back;
-        let frame = equation.frame(part.middle());
+        let frame = equation.frame_at(part.middle_point());
         let mut unclear = None;
-        match part.prove(&frame, rounding_error, if is_fine { tolerance } else { rounding_error }) {
+        match part.prove_empty_or_graph(&frame, rounding_error, if is_fine { tolerance } else { rounding_error }) {
             BoxTest::Empty => {
                 // Separated, but by less than an option that is greater than the surfaces' own
                 // tolerance.
                 let is_near = !is_fine && resolution < tolerance && !frame.is_transversal();
-                let touches = is_near && part.is_within(&frame, tolerance, tolerance);
+                let touches = is_near && part.are_pieces_flat_and_close(&frame, tolerance, tolerance);
                 return Ok(if touches { BoxTest::Unresolved } else { BoxTest::Empty });
             }
             BoxTest::Unique(chart) => {
-                let search = ArcSearch::new(equation, part, &chart, [resolution, self.task.shortest], rounding_error);
-                let arc_test = match search.find_along_line(&frame) {
+                let search =
+                    ArcBoxSearch::new(equation, part, &chart, [resolution, self.task.shortest], rounding_error);
+                let arc_test = match search.find_arc_along_line(&frame) {
                     Some(arc_test) => arc_test,
-                    None if part.is_apart(&frame, rounding_error) => BoxTest::Empty,
-                    None => search.find_from_inside(&frame),
+                    None if part.is_proven_empty_otherwise(&frame, rounding_error) => BoxTest::Empty,
+                    None => search.find_arc_from_inside(&frame),
                 };
                 match arc_test {
                     BoxTest::Empty => return Ok(BoxTest::Empty),
@@ -270,41 +275,47 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
             }
             _ => {}
         }
-        let extents = part.extents();
+        let extents = part.piece_extents();
         let longest = (0..4).fold(0, |best, k| if extents[k] > extents[best] { k } else { best });
-        let is_slender = extents[longest] <= SLENDER_TOLERANCES * tolerance && frame.is_transversal();
-        let is_tiny = extents[longest] <= TINY_RESOLUTIONS * resolution;
-        if (is_tiny || is_slender) && matches!(part.prove(&frame, rounding_error, rounding_error), BoxTest::Empty) {
+        let is_slender = extents[longest] <= MAX_SLENDER_BOX_IN_TOLERANCES * tolerance && frame.is_transversal();
+        let is_tiny = extents[longest] <= MAX_TINY_BOX_IN_RESOLUTIONS * resolution;
+        if (is_tiny || is_slender)
+            && matches!(part.prove_empty_or_graph(&frame, rounding_error, rounding_error), BoxTest::Empty)
+        {
             return Ok(BoxTest::Empty);
         }
         let [thickness, reach] = match is_fine {
-            true => [(CONTACT_THICKNESS_TOLERANCES * tolerance).max(4.0 * rounding_error), tolerance],
+            true => [(MIN_HALVED_THICKNESS_IN_TOLERANCES * tolerance).max(4.0 * rounding_error), tolerance],
             false => [tolerance, -tolerance],
         };
         // Beside poles, and in cells that are small relative to the tolerance, crossing pieces may
         // be as thin in both directions.
-        let unresolved =
-            extents[longest] <= 0.25 * resolution || !is_slender && part.is_within(&frame, thickness, reach);
+        let unresolved = extents[longest] <= 0.25 * resolution
+            || !is_slender && part.are_pieces_flat_and_close(&frame, thickness, reach);
         let widest = || (0..4).fold(longest, |best, k| if part.size[k] > part.size[best] { k } else { best });
         // Near poles, pieces are too short in one direction for it ever to be the longest one.
-        let is_long = |&k: &usize| part.size[k] > MIN_SPLIT_SIZE && frame.is_transversal();
+        let is_long = |&k: &usize| part.size[k] > MIN_HALVED_PARAMETER_SIZE && frame.is_transversal();
         let split = if self.is_near { widest() } else { unclear.filter(is_long).unwrap_or(longest) };
         Ok(if unresolved { BoxTest::Unresolved } else { BoxTest::Undecided(split) })
     }
 
     /// Adds an arc, unless it is short enough to be dropped.
-    fn accept(&mut self, part: Cow<'a, ParameterBox<N, M>>, (ends, free): ([ArcEnd; 2], usize)) -> Result<(), Stop> {
+    fn accept(
+        &mut self,
+        part: Cow<'a, ParameterBox<N, M>>,
+        (ends, free): ([ArcEnd; 2], usize),
+    ) -> Result<(), SearchStop> {
         // The ends come by rising free parameter, but the curve runs along N_A x N_B.
         let rises = ends[0].tangent[free] > 0.0;
         let ends = if rises { ends } else { [ends[1], ends[0]] };
         let (equation, points) = (self.equation, &mut self.pieces.points);
-        let places = ends.map(|end| equation.point(end.x));
+        let places = ends.map(|end| equation.point_of_first_patch(end.x));
         let is_near = |point: DVec3| places[0].distance(point) <= self.task.shortest;
         let is_closed = is_near(places[1]);
         // The point half way around the curve, if the arc is not a single point.
-        let half_way = || equation.solve(ends[0].x.midpoint(ends[1].x), free).map(|(x, _)| x);
-        let is_within = |x: DVec4| (x - 0.5).abs().max_element() <= 0.5 + PARAMETER_ROUNDING;
-        let is_away = |x: &DVec4| is_within(*x) && !is_near(equation.point(*x));
+        let half_way = || equation.solve_with_fixed_parameter(ends[0].x.midpoint(ends[1].x), free).map(|(x, _)| x);
+        let is_within = |x: DVec4| (x - 0.5).abs().max_element() <= 0.5 + MAX_CROSSING_PARAMETER_ROUNDING;
+        let is_away = |x: &DVec4| is_within(*x) && !is_near(equation.point_of_first_patch(*x));
         let away = if is_closed { half_way().filter(is_away) } else { None };
         if is_closed && away.is_none() {
             return Ok(());
@@ -318,11 +329,12 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         alloc::push(points, ends[1].x)?;
         let to = points.len() as u32;
         let pair = self.task.pair;
-        let is_along_side = !is_closed && part.has_side_through(ends.map(|end| end.x), SIDE_SLACK);
-        let at_border = self.task.are_at_border(ends.map(|end| end.x), is_along_side);
+        let is_along_side = !is_closed && part.are_points_on_one_side(ends.map(|end| end.x), MAX_ALONG_SIDE_DISTANCE);
+        let at_border = self.task.are_ends_at_border(ends.map(|end| end.x), is_along_side);
         // Directions from the last Newton iterate are off by the last step divided by the distance
         // from a crossing.
-        let exact = |end: ArcEnd| if is_along_side { equation.frame(end.x).direction() } else { end.direction };
+        let exact =
+            |end: ArcEnd| if is_along_side { equation.frame_at(end.x).curve_direction() } else { end.direction };
         let directions = ends.map(|end| exact(end).normalize_or_zero());
         let ends = places;
         let arc = IntersectionArc {
@@ -339,64 +351,65 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>
         Ok(alloc::push(&mut self.pieces.arcs, arc)?)
     }
 
-    fn give_up(&mut self, part: Cow<'a, ParameterBox<N, M>>, _exhausted: bool) -> Result<(), Stop> {
-        self.report(&part, false);
+    fn give_up(&mut self, part: Cow<'a, ParameterBox<N, M>>, _exhausted: bool) -> Result<(), SearchStop> {
+        self.report_ball(&part, false);
         Ok(())
     }
 
     fn split(&mut self, part: Cow<'a, ParameterBox<N, M>>, longest: usize) -> [Cow<'a, ParameterBox<N, M>>; 2] {
-        let [low, high] = part.halves(longest);
+        let [low, high] = part.halve_by_parameter(longest);
         [Cow::Owned(high), Cow::Owned(low)]
     }
 }
 
-impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
+impl<const N: usize, const M: usize> CellPairSearch<'_, N, M> {
     /// Finds the arcs in a box.
-    fn run(&mut self, part: Cow<'_, ParameterBox<N, M>>) -> Result<(), Stop> {
-        let limits = Limits { max_depth: u32::MAX, max_boxes: usize::MAX };
+    fn search_box(&mut self, part: Cow<'_, ParameterBox<N, M>>) -> Result<(), SearchStop> {
+        let limits = SubdivisionLimits { max_depth: u32::MAX, max_boxes: usize::MAX };
         subdivide(self, part, &mut Vec::new(), limits)
     }
 
     /// Finds the arcs in a box of a pair of cells with common points. Multiple contacts mean
     /// nothing for such cells. Boxes closer to a pinch point are more elongated, which does not
     /// affect the proofs.
-    pub(super) fn run_near(&mut self, part: &ParameterBox<N, M>) -> Result<(), Stop> {
+    pub(super) fn search_box_of_adjacent_cells(&mut self, part: &ParameterBox<N, M>) -> Result<(), SearchStop> {
         self.examined = self.examined.max(BOXES_BEFORE_DEGENERACY_TEST);
         self.is_near = true;
-        self.run(Cow::Borrowed(part))
+        self.search_box(Cow::Borrowed(part))
     }
 
     /// Reports progress. The remaining work of a pair is unknown.
-    pub(super) fn step(&self) -> Result<()> {
+    pub(super) fn report_progress(&self) -> Result<()> {
         self.job.step(0.0, "intersection")
     }
 
     /// Ends the search in a pair.
     #[expect(clippy::needless_pass_by_value, reason = "what a search ends with ends here")]
-    pub(super) fn finish(mut self, done: Result<(), Stop>, whole: &ParameterBox<N, M>) -> Result<()> {
+    pub(super) fn finish_pair(mut self, done: Result<(), SearchStop>, whole: &ParameterBox<N, M>) -> Result<()> {
         match done {
             Ok(()) => Ok(()),
-            Err(Stop::Degenerate) => {
-                self.pieces.truncate(self.before);
-                self.report(whole, true);
+            Err(SearchStop::Degenerate) => {
+                self.pieces.truncate_to_counts(self.before);
+                self.report_ball(whole, true);
                 Ok(())
             }
-            Err(Stop::Exhausted) => {
-                self.pieces.truncate(self.before);
+            Err(SearchStop::Exhausted) => {
+                self.pieces.truncate_to_counts(self.before);
                 alloc::push(&mut self.pieces.exhausted, self.task.pair)
             }
-            Err(Stop::Failed(error)) => Err(error),
+            Err(SearchStop::Failed(error)) => Err(error),
         }
     }
 
     /// Reports a box as a ball around it. Merges balls of the same pair that touch.
-    pub(super) fn report(&mut self, part: &ParameterBox<N, M>, is_whole: bool) {
+    pub(super) fn report_ball(&mut self, part: &ParameterBox<N, M>, is_whole: bool) {
         let (PairTask { pair, resolution, .. }, equation) = (*self.task, self.equation);
-        let x = part.middle();
-        let frame = equation.frame(x);
+        let x = part.middle_point();
+        let frame = equation.frame_at(x);
         // Common points lie in both pieces. If one piece is much smaller, it locates them better.
-        let (a, b) = (equation.point(x), equation.point(x) - frame.miss);
-        let (of_a, of_b) = (radius_about(a, &part.nets.a.patch()), radius_about(b, &part.nets.b.patch()));
+        let (a, b) = (equation.point_of_first_patch(x), equation.point_of_first_patch(x) - frame.miss);
+        let (of_a, of_b) =
+            (max_control_distance(a, &part.nets.a.to_patch()), max_control_distance(b, &part.nets.b.to_patch()));
         let (centre, radius) = if of_a <= 2.0 * of_b { (a, of_a) } else { (b, of_b) };
         let gap = frame.miss.length();
         let (low, high) = (part.low, part.low + part.size);
@@ -406,7 +419,7 @@ impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
         // Beyond the largest number of separate balls, the nearest ball absorbs the new one.
         let beyond = |ball: &UnresolvedBall| ball.centre.distance(centre) - ball.radius;
         let nearest = || (0..own.len()).min_by(|&k, &n| beyond(&own[k]).total_cmp(&beyond(&own[n])));
-        let target = own.iter().position(touches).or_else(|| nearest().filter(|_| own.len() >= MAX_BALLS));
+        let target = own.iter().position(touches).or_else(|| nearest().filter(|_| own.len() >= MAX_BALLS_PER_PAIR));
         match target {
             Some(k) => {
                 let nearer = if gap < own[k].gap { ball } else { own[k] };
@@ -425,12 +438,12 @@ impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
 
     /// Whether a few sample points show that the cells touch in at least three places. More
     /// subdivision would then be useless.
-    fn coincide(&self) -> bool {
+    fn do_cells_coincide(&self) -> bool {
         let mut contacts = [DVec3::ZERO; 3];
         let mut count = 0;
         for k in 0..18 {
             let (along, across) = (0.5 * f64::from(k / 3 % 3), 0.5 * f64::from(k % 3));
-            let Some(contact) = self.contact(along, across, k < 9) else {
+            let Some(contact) = self.contact_point_at(along, across, k < 9) else {
                 continue;
             };
             if contacts[..count].iter().all(|other| other.distance(contact) > 64.0 * self.task.tolerance) {
@@ -445,19 +458,19 @@ impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
     }
 
     /// The point of one cell at the given parameters, if the other cell touches it there.
-    fn contact(&self, along: f64, across: f64, on_a: bool) -> Option<DVec3> {
+    fn contact_point_at(&self, along: f64, across: f64, on_a: bool) -> Option<DVec3> {
         let equation = self.equation;
         let fixed = if on_a { 0 } else { 2 };
         let mut x = DVec4::splat(0.5);
         (x[fixed], x[fixed + 1]) = (along, across);
         let (p, q) = (2 - fixed, 3 - fixed);
         for _ in 0..8 {
-            let frame = equation.frame(x);
+            let frame = equation.frame_at(x);
             let [a, b] = frame.normals();
             let (one, other) = (frame.columns[p], frame.columns[q]);
             if frame.miss.length() <= self.task.tolerance {
                 let touches = a.cross(b).length() <= 1e-4 * a.length() * b.length();
-                return touches.then(|| equation.point(x));
+                return touches.then(|| equation.point_of_first_patch(x));
             }
             // A Gauss-Newton step towards the nearest point.
             let (aa, ab, bb) = (one.length_squared(), one.dot(other), other.length_squared());

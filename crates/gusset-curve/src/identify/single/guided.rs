@@ -15,24 +15,24 @@
 //! Source: Nadopta for the sweeps. The independence of the crossing from lambda_i, and Newton's
 //! method, are ours.
 
-use super::collocation::{Collocation, MAX_MISS};
+use super::collocation::{Collocation, MAX_POINT_MISS_DISTANCE};
 use crate::curve::segment;
 use crate::identify::identify_options::Solver;
-use crate::identify::report::{Account, FitStatus, PointStatus};
+use crate::identify::report::{FitStatus, PointStatus, ReportInProgress};
 use crate::identify::stepping;
-use crate::identify::subcurve::{Output, Subcurve};
+use crate::identify::subcurve::{Subcurve, SubcurveOutput};
 use glam::DVec3;
 use gusset_base::error::Result;
 use gusset_base::geom::bernstein;
 
 /// Sweeps before Newton's method.
-const MAX_FIRST_SWEEPS: u32 = 8;
+const MAX_SWEEPS_BEFORE_NEWTON: u32 = 8;
 
 /// The maximum number of Newton iterations.
-const MAX_ITERATIONS: u32 = 30;
+const MAX_NEWTON_ITERATIONS: u32 = 30;
 
 /// The largest move of a control point in a sweep, in sizes of the outline.
-const MAX_MOVE: f64 = 1e3;
+const MAX_CONTROL_POINT_MOVE: f64 = 1e3;
 
 /// Sweeps between two progress reports, over a few points.
 const SWEEPS_PER_REPORT: usize = 1 << 8;
@@ -42,28 +42,33 @@ const MIN_STEP_FRACTION: f64 = 1e-3;
 
 impl Collocation {
     /// Finds the control points for the current parameters.
-    pub(super) fn solve_for_parameters(&mut self, sub: &Subcurve<'_>, out: &mut Output<'_>) -> Result<()> {
+    pub(super) fn solve_for_parameters(&mut self, sub: &Subcurve<'_>, out: &mut SubcurveOutput<'_>) -> Result<()> {
         if sub.options.solver == Solver::Step {
-            self.start_at_points();
+            self.set_controls_to_points();
             let left = sub.options.max_sweeps.saturating_sub(out.report.iterations);
-            if !self.sweep(sub, None, left, out)? {
+            if !self.run_sweeps(sub, None, left, out)? {
                 flag_unconverged(out);
             }
         }
-        self.eliminate()
+        self.solve_linear_equations()
     }
 
     /// Finds control points on the guides. Returns false if it fails.
-    pub(super) fn solve_on_guides(&mut self, sub: &Subcurve<'_>, normal: DVec3, out: &mut Output<'_>) -> Result<bool> {
-        self.start_at_points();
+    pub(super) fn solve_on_guides(
+        &mut self,
+        sub: &Subcurve<'_>,
+        normal: DVec3,
+        out: &mut SubcurveOutput<'_>,
+    ) -> Result<bool> {
+        self.set_controls_to_points();
         if sub.options.solver == Solver::Fast {
-            self.sweep(sub, Some(normal), MAX_FIRST_SWEEPS.min(sub.options.max_sweeps), out)?;
+            self.run_sweeps(sub, Some(normal), MAX_SWEEPS_BEFORE_NEWTON.min(sub.options.max_sweeps), out)?;
             // The sweeps are the start of Newton's method, not part of it.
             out.report.iterations = 0;
-            return self.newton(sub, normal, out.report);
+            return self.iterate_newton(sub, normal, out.report);
         }
-        let rests = self.sweep(sub, Some(normal), sub.options.max_sweeps.div_ceil(2), out)?;
-        if !self.is_in_order() {
+        let rests = self.run_sweeps(sub, Some(normal), sub.options.max_sweeps.div_ceil(2), out)?;
+        if !self.are_parameters_increasing() {
             return Ok(false);
         }
         if !rests {
@@ -71,54 +76,61 @@ impl Collocation {
         }
         // Removes the deviations that the steps leave. The control points leave their guides by no
         // more than that.
-        self.eliminate()?;
-        Ok(self.residual().0 <= MAX_MISS * sub.size)
+        self.solve_linear_equations()?;
+        Ok(self.max_and_squared_residual().0 <= MAX_POINT_MISS_DISTANCE * sub.size)
     }
 
     /// Returns true if the parameters increase from 0 to 1.
-    fn is_in_order(&self) -> bool {
+    fn are_parameters_increasing(&self) -> bool {
         self.t.windows(2).all(|pair| pair[0] < pair[1])
     }
 
     /// Runs the paper's sweeps. With the normal of the plane, control points move along the
     /// guides; otherwise along the deviations, for the current parameters. Returns true if the
     /// sweeps converge.
-    fn sweep(&mut self, sub: &Subcurve<'_>, normal: Option<DVec3>, count: u32, out: &mut Output<'_>) -> Result<bool> {
+    fn run_sweeps(
+        &mut self,
+        sub: &Subcurve<'_>,
+        normal: Option<DVec3>,
+        max_sweeps: u32,
+        out: &mut SubcurveOutput<'_>,
+    ) -> Result<bool> {
         let (report, job) = (&mut *out.report, out.job);
         let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
         let first = self.inner_range().start;
-        for sweep in 0..count {
-            job.step_every(SWEEPS_PER_REPORT, sweep as usize, count as usize, STAGE)?;
+        for sweep in 0..max_sweeps {
+            job.step_every(SWEEPS_PER_REPORT, sweep as usize, max_sweeps as usize, STAGE)?;
             report.iterations += 1;
             let mut farthest = 0.0f64;
-            for i in 1..=self.inner() {
+            for i in 1..=self.inner_point_count() {
                 let (own, p) = (first + i - 1, self.points[i]);
                 if let Some(normal) = normal {
                     // If the curve does not cross a point's guide, the point keeps its parameter.
-                    if let Some(t) = self.crossing(p, normal.cross(self.guides[i]), self.t[i]) {
+                    if let Some(t) = self.line_crossing_parameter(p, normal.cross(self.guides[i]), self.t[i]) {
                         self.t[i] = t;
                     }
                 }
                 bernstein::basis(&mut self.basis, self.t[i]);
                 let slope = self.basis[own];
-                let left = p - segment::point(&self.controls, self.t[i]);
+                let left = p - segment::point_at(&self.controls, self.t[i]);
                 let direction = if normal.is_some() { self.guides[i] } else { left.normalize_or_zero() };
                 let along = match sub.options.solver {
                     Solver::Fast => direction.dot(left) / slope,
                     Solver::Step => {
                         let deviation = |x: f64| direction.dot(left) - slope * x;
-                        stepping::step(sub.options, sub.size, deviation, &mut report.steps, job)?.unwrap_or(f64::NAN)
+                        stepping::step_to_zero_deviation(sub.options, sub.size, deviation, &mut report.steps, job)?
+                            .unwrap_or(f64::NAN)
                     }
                 };
                 // The sweeps diverged or the steps are used up. Newton's method or the lock by
                 // parameters may do better.
-                if along.is_nan() || along.abs() >= MAX_MOVE * sub.size {
+                if along.is_nan() || along.abs() >= MAX_CONTROL_POINT_MOVE * sub.size {
                     return Ok(false);
                 }
                 self.controls[own] += direction * along;
                 farthest = farthest.max(along.abs());
             }
-            report.end_cycle(farthest / sub.size)?;
+            report.record_cycle(farthest / sub.size)?;
             if farthest <= tolerance {
                 return Ok(true);
             }
@@ -128,8 +140,8 @@ impl Collocation {
 
     /// Returns the place nearest `from` where the curve crosses the line through a point with a
     /// given normal.
-    fn crossing(&self, p: DVec3, across: DVec3, from: f64) -> Option<f64> {
-        let f = |t: f64| across.dot(segment::point(&self.controls, t) - p);
+    fn line_crossing_parameter(&self, p: DVec3, line_normal: DVec3, from: f64) -> Option<f64> {
+        let f = |t: f64| line_normal.dot(segment::point_at(&self.controls, t) - p);
         let start = f(from);
         if start == 0.0 {
             return Some(from);
@@ -145,7 +157,7 @@ impl Collocation {
                 }
                 known[side] = (next, f(next));
                 if (known[side].1 > 0.0) != (value > 0.0) {
-                    let root = root(f, (t, value), known[side]);
+                    let root = find_root_by_regula_falsi(f, (t, value), known[side]);
                     return (root > 0.0 && root < 1.0).then_some(root);
                 }
             }
@@ -154,20 +166,20 @@ impl Collocation {
     }
 
     /// Newton's method for the positions on the guides and the parameters together.
-    fn newton(&mut self, sub: &Subcurve<'_>, normal: DVec3, report: &mut Account) -> Result<bool> {
-        let inner = self.inner();
+    fn iterate_newton(&mut self, sub: &Subcurve<'_>, normal: DVec3, report: &mut ReportInProgress) -> Result<bool> {
+        let inner = self.inner_point_count();
         let tolerance = sub.options.tolerance.max(2.0 * f64::EPSILON) * sub.size;
-        let mut residual = self.residual();
+        let mut residual = self.max_and_squared_residual();
         let mut near = false;
-        for _ in 0..MAX_ITERATIONS.min(sub.options.max_sweeps) {
+        for _ in 0..MAX_NEWTON_ITERATIONS.min(sub.options.max_sweeps) {
             if !residual.0.is_finite() {
                 return Ok(false);
             }
             report.iterations += 1;
-            if !self.newton_step(normal)? {
+            if !self.compute_newton_step(normal)? {
                 return Ok(false);
             }
-            let Some((next, fraction)) = self.line_search(residual, tolerance) else {
+            let Some((next, fraction)) = self.halve_step_until_residual_falls(residual, tolerance) else {
                 // The step brings no improvement. It succeeded if the residual is already as small
                 // as rounding allows.
                 self.controls.copy_from_slice(&self.previous);
@@ -176,7 +188,7 @@ impl Collocation {
             };
             residual = next;
             let moved = (1..=inner).map(|i| self.right[i - 1].x.abs()).fold(0.0, f64::max);
-            report.end_cycle(fraction * moved / sub.size)?;
+            report.record_cycle(fraction * moved / sub.size)?;
             // Once the points are within the tolerance, one more step removes the rest.
             if near || (residual.0 <= tolerance && moved <= tolerance) {
                 return Ok(residual.0 <= tolerance);
@@ -188,8 +200,8 @@ impl Collocation {
 
     /// Finds the steps along the guides and of the parameters, from the x and y components of
     /// `right`. Returns false if the equations are singular.
-    fn newton_step(&mut self, normal: DVec3) -> Result<bool> {
-        let (inner, first, degree) = (self.inner(), self.inner_range().start, self.degree());
+    fn compute_newton_step(&mut self, normal: DVec3) -> Result<bool> {
+        let (inner, first, degree) = (self.inner_point_count(), self.inner_range().start, self.degree());
         self.previous.copy_from_slice(&self.controls);
         self.previous_t[..inner].copy_from_slice(&self.t[1..=inner]);
         for k in 0..degree {
@@ -197,9 +209,9 @@ impl Collocation {
         }
         self.matrix.resize(inner)?;
         for i in 1..=inner {
-            let slope = segment::point(&self.slopes[..degree], self.t[i]);
+            let slope = segment::point_at(&self.slopes[..degree], self.t[i]);
             let across = normal.cross(slope);
-            let left = self.points[i] - segment::point(&self.controls, self.t[i]);
+            let left = self.points[i] - segment::point_at(&self.controls, self.t[i]);
             bernstein::basis(&mut self.basis, self.t[i]);
             let row = self.matrix.row(i - 1);
             for j in 1..=inner {
@@ -216,8 +228,8 @@ impl Collocation {
             self.controls[first + j - 1] += self.guides[j] * self.right[j - 1].x;
         }
         for i in 1..=inner {
-            let slope = segment::point(&self.slopes[..degree], self.previous_t[i - 1]);
-            let left = self.points[i] - segment::point(&self.controls, self.previous_t[i - 1]);
+            let slope = segment::point_at(&self.slopes[..degree], self.previous_t[i - 1]);
+            let left = self.points[i] - segment::point_at(&self.controls, self.previous_t[i - 1]);
             self.right[i - 1].y = slope.dot(left) / slope.length_squared();
         }
         Ok(true)
@@ -225,17 +237,17 @@ impl Collocation {
 
     /// Takes the step, or half of it, and so on until the residual falls. Returns the residual and
     /// the fraction, or `None` if no fraction helps.
-    fn line_search(&mut self, residual: (f64, f64), tolerance: f64) -> Option<((f64, f64), f64)> {
+    fn halve_step_until_residual_falls(&mut self, residual: (f64, f64), tolerance: f64) -> Option<((f64, f64), f64)> {
         let first = self.inner_range().start;
         let mut fraction = 1.0;
         while fraction >= MIN_STEP_FRACTION {
-            for i in 1..=self.inner() {
+            for i in 1..=self.inner_point_count() {
                 self.t[i] = self.previous_t[i - 1] + fraction * self.right[i - 1].y;
                 let own = first + i - 1;
                 self.controls[own] = self.previous[own] + self.guides[i] * (fraction * self.right[i - 1].x);
             }
-            let next = self.residual();
-            if (next.1 < residual.1 || next.0 <= tolerance) && self.is_in_order() {
+            let next = self.max_and_squared_residual();
+            if (next.1 < residual.1 || next.0 <= tolerance) && self.are_parameters_increasing() {
                 return Some((next, fraction));
             }
             fraction *= 0.5;
@@ -245,14 +257,14 @@ impl Collocation {
 }
 
 /// Flags that the sweeps ended before they converged.
-fn flag_unconverged(out: &mut Output<'_>) {
+fn flag_unconverged(out: &mut SubcurveOutput<'_>) {
     out.report.status = FitStatus::NotConverged;
-    out.flag_all(PointStatus::NotConverged);
+    out.flag_all_points(PointStatus::NotConverged);
 }
 
 /// Returns the root of a function between two places where it has opposite signs, to the last bits.
 /// Uses regula falsi with the Illinois rule, which halves the value at an end that stays.
-fn root(f: impl Fn(f64) -> f64, a: (f64, f64), b: (f64, f64)) -> f64 {
+fn find_root_by_regula_falsi(f: impl Fn(f64) -> f64, a: (f64, f64), b: (f64, f64)) -> f64 {
     let ((mut x, mut fx), (mut y, mut fy)) = (a, b);
     for _ in 0..100 {
         let mut z = y - fy * (y - x) / (fy - fx);
@@ -281,7 +293,7 @@ mod tests {
     fn roots_are_found_to_the_last_bits() {
         for (at, power) in [(0.3, 1), (0.9, 3), (0.123_456, 5)] {
             let f = |t: f64| (t - at) * (1.0 + t).powi(power);
-            assert!((root(f, (0.0, f(0.0)), (1.0, f(1.0))) - at).abs() <= 4e-16);
+            assert!((find_root_by_regula_falsi(f, (0.0, f(0.0)), (1.0, f(1.0))) - at).abs() <= 4e-16);
         }
     }
 

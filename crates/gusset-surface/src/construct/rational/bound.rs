@@ -16,33 +16,33 @@ use glam::{DVec3, DVec4};
 use gusset_base::geom::bernstein::{binomial_row, halve};
 
 /// Largest number of control values in a direction: the degrees of weights and piece, plus 1.
-const MAX_CONTROL_VALUES: usize = 2 * MAX_DEGREE + 1;
+const MAX_CONTROL_VALUES_PER_DIRECTION: usize = 2 * MAX_DEGREE + 1;
 
 /// Number of times that pieces are quartered for a closer bound.
 const MAX_QUARTERINGS: usize = 3;
 
 /// If the bound exceeds this multiple of the tolerance, quarters would exceed the tolerance too.
-const HOPELESS_TOLERANCES: f64 = 4096.0;
+const MAX_IMPROVABLE_BOUND_IN_TOLERANCES: f64 = 4096.0;
 
 /// N and, as the fourth coordinate, w raised to the same degree, in Bernstein form.
 #[derive(Clone, Copy)]
-pub(super) struct Difference {
-    net: [[DVec4; MAX_CONTROL_VALUES]; MAX_CONTROL_VALUES],
+pub(super) struct HomogeneousDifference {
+    net: [[DVec4; MAX_CONTROL_VALUES_PER_DIRECTION]; MAX_CONTROL_VALUES_PER_DIRECTION],
     counts: [usize; 2],
 }
 
-impl Difference {
+impl HomogeneousDifference {
     /// Computes N from the control points of A and the homogeneous control points of S, which has
     /// the given degrees. The error of N_ij, relative to W_ij (|A| + |S|), is at most 2^-53 times
     /// (p + 1) (q + 1) + 5.
-    pub(super) fn new(own: &PieceNet<DVec3>, homogeneous: &PieceNet<DVec4>, [p, q]: [usize; 2]) -> Self {
+    pub(super) fn new(fitted_net: &PieceNet<DVec3>, homogeneous: &PieceNet<DVec4>, [p, q]: [usize; 2]) -> Self {
         let [sevenths, ps, qs] = [MAX_DEGREE, p, q].map(binomial_row::<{ MAX_DEGREE + 1 }>);
         let counts = [p + MAX_DEGREE + 1, q + MAX_DEGREE + 1];
-        let mut net = [[DVec4::ZERO; MAX_CONTROL_VALUES]; MAX_CONTROL_VALUES];
+        let mut net = [[DVec4::ZERO; MAX_CONTROL_VALUES_PER_DIRECTION]; MAX_CONTROL_VALUES_PER_DIRECTION];
         for (a, b) in (0..=p).flat_map(|a| (0..=q).map(move |b| (a, b))) {
             let (given, weight) = (homogeneous[a][b], ps[a] * qs[b]);
             let (numerator, w) = (given.truncate(), given.w);
-            for (c, row) in own.iter().enumerate() {
+            for (c, row) in fitted_net.iter().enumerate() {
                 let across = weight * sevenths[c];
                 for (d, &point) in row.iter().enumerate() {
                     // All these factors are integers, and exact.
@@ -50,34 +50,34 @@ impl Difference {
                 }
             }
         }
-        let [us, vs] = counts.map(|count| binomial_row::<MAX_CONTROL_VALUES>(count - 1));
+        let [us, vs] = counts.map(|count| binomial_row::<MAX_CONTROL_VALUES_PER_DIRECTION>(count - 1));
         for (row, u) in net[..counts[0]].iter_mut().zip(us) {
             row[..counts[1]].iter_mut().zip(vs).for_each(|(x, v)| *x /= u * v);
         }
-        Difference { net, counts }
+        HomogeneousDifference { net, counts }
     }
 
     /// A bound of |N| / w, close enough to decide whether |N| / w is within the target.
-    pub(super) fn bound(&self, target: f64) -> f64 {
-        let rough = self.greatest();
+    pub(super) fn distance_bound(&self, target: f64) -> f64 {
+        let rough = self.max_control_ratio();
         // Rounding in quarters and divisions is far below this relative margin.
         (1.0 + 1e-12)
-            * if rough > HOPELESS_TOLERANCES * target {
+            * if rough > MAX_IMPROVABLE_BOUND_IN_TOLERANCES * target {
                 rough
             } else {
-                self.refined_bound(rough, target, MAX_QUARTERINGS)
+                self.bound_by_quartering(rough, target, MAX_QUARTERINGS)
             }
     }
 
     /// The largest |N_ij| / W_ij.
-    fn greatest(&self) -> f64 {
+    fn max_control_ratio(&self) -> f64 {
         let values = self.net[..self.counts[0]].iter().flat_map(|row| &row[..self.counts[1]]);
         let ratios = values.map(|value| value.truncate().length() / value.w);
         // NaN proves nothing.
         ratios.map(|ratio| if ratio.is_nan() { f64::INFINITY } else { ratio }).fold(0.0, f64::max)
     }
 
-    fn refined_bound(&self, bound: f64, target: f64, depth: usize) -> f64 {
+    fn bound_by_quartering(&self, bound: f64, target: f64, depth: usize) -> f64 {
         if bound <= target || depth == 0 {
             return bound;
         }
@@ -86,7 +86,7 @@ impl Difference {
         quarters
             .as_flattened()
             .iter()
-            .map(|part| part.refined_bound(part.greatest(), target, depth - 1))
+            .map(|part| part.bound_by_quartering(part.max_control_ratio(), target, depth - 1))
             .fold(0.0, f64::max)
     }
 
@@ -99,6 +99,6 @@ impl Difference {
     /// The difference with u and v exchanged.
     fn transposed(&self) -> Self {
         let net = std::array::from_fn(|i| std::array::from_fn(|j| self.net[j][i]));
-        Difference { net, counts: [self.counts[1], self.counts[0]] }
+        HomogeneousDifference { net, counts: [self.counts[1], self.counts[0]] }
     }
 }

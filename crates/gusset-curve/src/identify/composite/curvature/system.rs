@@ -21,21 +21,21 @@ use crate::identify::subcurve::Subcurve;
 use glam::DVec3;
 
 /// The number of unknowns of a point: three coordinates, t, beta, lambda, mu.
-pub(super) const UNKNOWNS: usize = 7;
+pub(super) const UNKNOWNS_PER_POINT: usize = 7;
 
 /// The number of equations of a point: three coordinates, the lock, the curvature.
-pub(super) const EQUATIONS: usize = 5;
+pub(super) const EQUATIONS_PER_POINT: usize = 5;
 
 /// The points whose unknowns are in the equations of a point: the previous one, itself, and two
 /// more.
-pub(super) const SPAN: usize = 4;
+pub(super) const POINTS_PER_EQUATION: usize = 4;
 
 /// The derivatives of the equations of a point.
-pub(super) type Rows = [[[f64; UNKNOWNS]; SPAN]; EQUATIONS];
+pub(super) type EquationDerivatives = [[[f64; UNKNOWNS_PER_POINT]; POINTS_PER_EQUATION]; EQUATIONS_PER_POINT];
 
 /// The unknowns of a point.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Node {
+pub(super) struct PointUnknowns {
     pub(super) control: DVec3,
     pub(super) t: f64,
     pub(super) beta: f64,
@@ -55,7 +55,7 @@ pub(super) enum LockEquation {
 
 /// The given quantities of a point.
 #[derive(Clone, Copy)]
-pub(super) struct Known {
+pub(super) struct GivenQuantities {
     pub(super) lock_equation: LockEquation,
     /// The unit of length: the distance between its neighbours.
     pub(super) spacing: f64,
@@ -71,7 +71,7 @@ pub(super) struct Known {
 
 /// Returns the legs before and after control point `i`. At the ends of an open subcurve they are
 /// the legs from and to its points.
-pub(super) fn legs(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> [DVec3; 2] {
+pub(super) fn legs_at_control_point(sub: &Subcurve<'_>, nodes: &[PointUnknowns], i: usize) -> [DVec3; 2] {
     let b = nodes[i].control;
     let first = if sub.closed || i > 0 { nodes[sub.previous(i)].control } else { sub.points[0] };
     let last = if sub.closed || i + 1 < sub.len() { nodes[sub.next(i)].control } else { sub.points[i] };
@@ -79,26 +79,31 @@ pub(super) fn legs(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> [DVec3; 2] {
 }
 
 /// Returns the beta before section `i`; 0 for the segment that begins an open subcurve.
-fn beta_before(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> f64 {
+fn beta_before(sub: &Subcurve<'_>, nodes: &[PointUnknowns], i: usize) -> f64 {
     if sub.closed || i > 0 { nodes[sub.previous(i)].beta } else { 0.0 }
 }
 
 /// Returns the beta behind section `i`; 1 for the segment that ends an open subcurve.
-fn beta_after(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> f64 {
+fn beta_after(sub: &Subcurve<'_>, nodes: &[PointUnknowns], i: usize) -> f64 {
     if sub.closed || i + 1 < sub.len() { nodes[i].beta } else { 1.0 }
 }
 
 /// Returns the equations of point `i`; missing ones are 0.
-pub(super) fn evaluate(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> [f64; EQUATIONS] {
-    let mut values = [0.0; EQUATIONS];
-    if sub.sections().contains(&i) {
-        let section = Section::new(sub, nodes, i);
-        let miss = section.miss(&nodes[i]) / known[i].spacing;
+pub(super) fn evaluate_equations(
+    sub: &Subcurve<'_>,
+    known: &[GivenQuantities],
+    nodes: &[PointUnknowns],
+    i: usize,
+) -> [f64; EQUATIONS_PER_POINT] {
+    let mut values = [0.0; EQUATIONS_PER_POINT];
+    if sub.section_indices().contains(&i) {
+        let section = RelativeSection::new(sub, nodes, i);
+        let miss = section.offset_from_point(&nodes[i]) / known[i].spacing;
         values[..3].copy_from_slice(&miss.to_array());
         values[3] = match known[i].lock_equation {
             LockEquation::GivenParameter => 0.0,
             LockEquation::TriangleParameter => {
-                nodes[i].t - self_consistent::parameter(sub.options, section.u, section.v).0
+                nodes[i].t - self_consistent::parameter_and_gradients(sub.options, section.u, section.v).0
             }
             LockEquation::OnGuide(across) => across.dot(section.b) / known[i].spacing,
         };
@@ -111,28 +116,38 @@ pub(super) fn evaluate(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: u
 }
 
 /// Returns log (2/3 kappa |e_i|^3) at the end of section `i`; NaN if the polygon has an inflection.
-fn log_scaled_curvature_at_end(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> f64 {
+fn log_scaled_curvature_at_end(
+    sub: &Subcurve<'_>,
+    known: &[GivenQuantities],
+    nodes: &[PointUnknowns],
+    i: usize,
+) -> f64 {
     let [lambda, mu] = nodes[i].handles;
     let (before, beta) = (beta_before(sub, nodes, i), beta_after(sub, nodes, i));
-    libm::log((1.0 - lambda) * (1.0 - before) * area(sub, known, nodes, i) / (mu * beta).powi(2))
+    libm::log((1.0 - lambda) * (1.0 - before) * doubled_triangle_area(sub, known, nodes, i) / (mu * beta).powi(2))
 }
 
 /// Returns the logarithm at the start of section `i`, with |e_(i-1)|^3.
-fn log_scaled_curvature_at_start(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> f64 {
+fn log_scaled_curvature_at_start(
+    sub: &Subcurve<'_>,
+    known: &[GivenQuantities],
+    nodes: &[PointUnknowns],
+    i: usize,
+) -> f64 {
     let [lambda, mu] = nodes[i].handles;
     let (before, beta) = (beta_before(sub, nodes, i), beta_after(sub, nodes, i));
-    libm::log((1.0 - mu) * beta * area(sub, known, nodes, i) / (lambda * (1.0 - before)).powi(2))
+    libm::log((1.0 - mu) * beta * doubled_triangle_area(sub, known, nodes, i) / (lambda * (1.0 - before)).powi(2))
 }
 
 /// E_i; negative if the polygon has an inflection.
-fn area(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> f64 {
-    let [before, after] = legs(sub, nodes, i);
+fn doubled_triangle_area(sub: &Subcurve<'_>, known: &[GivenQuantities], nodes: &[PointUnknowns], i: usize) -> f64 {
+    let [before, after] = legs_at_control_point(sub, nodes, i);
     let across = before.cross(after);
     across.length().copysign(across.dot(known[i].normal))
 }
 
 /// A section relative to its point.
-struct Section {
+struct RelativeSection {
     /// Its control point, and its ends.
     b: DVec3,
     u: DVec3,
@@ -143,40 +158,51 @@ struct Section {
     betas: [f64; 2],
 }
 
-impl Section {
-    fn new(sub: &Subcurve<'_>, nodes: &[Node], i: usize) -> Self {
+impl RelativeSection {
+    fn new(sub: &Subcurve<'_>, nodes: &[PointUnknowns], i: usize) -> Self {
         let b = nodes[i].control - sub.points[i];
-        let [before, after] = legs(sub, nodes, i);
+        let [before, after] = legs_at_control_point(sub, nodes, i);
         let betas = [beta_before(sub, nodes, i), nodes[i].beta];
-        Section { b, u: b - before * (1.0 - betas[0]), v: b + after * betas[1], legs: [before, after], betas }
+        RelativeSection { b, u: b - before * (1.0 - betas[0]), v: b + after * betas[1], legs: [before, after], betas }
     }
 
-    fn miss(&self, node: &Node) -> DVec3 {
-        let [first, middle, last] = equations::weights(node.t, node.handles);
+    fn offset_from_point(&self, node: &PointUnknowns) -> DVec3 {
+        let [first, middle, last] = equations::cubic_section_weights(node.t, node.handles);
         self.u * first + self.b * middle + self.v * last
     }
 }
 
 /// Returns the derivatives of the equations of point `i` with respect to the unknowns of four
 /// points, beginning with the previous point.
-pub(super) fn differentiate(sub: &Subcurve<'_>, known: &[Known], nodes: &[Node], i: usize) -> Rows {
-    let mut rows = Rows::default();
-    if sub.sections().contains(&i) {
-        differentiate_section(sub, &known[i], nodes, i, &mut rows);
+pub(super) fn differentiate_equations(
+    sub: &Subcurve<'_>,
+    known: &[GivenQuantities],
+    nodes: &[PointUnknowns],
+    i: usize,
+) -> EquationDerivatives {
+    let mut rows = EquationDerivatives::default();
+    if sub.section_indices().contains(&i) {
+        differentiate_section_equations(sub, &known[i], nodes, i, &mut rows);
     }
     if known[i].curved {
         // The section before the joint, and the section behind it, one point further.
-        differentiate_end(sub, known, nodes, i, 1.0, &mut rows[4]);
-        differentiate_end(sub, known, nodes, sub.next(i), -1.0, &mut rows[4]);
+        differentiate_log_end_curvature(sub, known, nodes, i, 1.0, &mut rows[4]);
+        differentiate_log_end_curvature(sub, known, nodes, sub.next(i), -1.0, &mut rows[4]);
     }
     rows
 }
 
-fn differentiate_section(sub: &Subcurve<'_>, known: &Known, nodes: &[Node], i: usize, rows: &mut Rows) {
-    let (section, node) = (Section::new(sub, nodes, i), &nodes[i]);
+fn differentiate_section_equations(
+    sub: &Subcurve<'_>,
+    known: &GivenQuantities,
+    nodes: &[PointUnknowns],
+    i: usize,
+    rows: &mut EquationDerivatives,
+) {
+    let (section, node) = (RelativeSection::new(sub, nodes, i), &nodes[i]);
     let (t, s, [lambda, mu]) = (node.t, 1.0 - node.t, node.handles);
-    let shares = equations::weights(t, node.handles);
-    let factors = equations::row_from_weights(shares, section.betas[0], section.betas[1]);
+    let shares = equations::cubic_section_weights(t, node.handles);
+    let factors = equations::coefficients_from_weights(shares, section.betas[0], section.betas[1]);
     let unit = 1.0 / known.spacing;
     for (axis, row) in rows.iter_mut().take(3).enumerate() {
         row.iter_mut().zip(factors).for_each(|(point, factor)| point[axis] = factor * unit);
@@ -184,7 +210,7 @@ fn differentiate_section(sub: &Subcurve<'_>, known: &Known, nodes: &[Node], i: u
     let mut enter = |point: usize, unknown: usize, derivative: DVec3| {
         (0..3).for_each(|axis| rows[axis][point][unknown] = derivative[axis] * unit);
     };
-    let Section { b, u, v, legs, betas } = section;
+    let RelativeSection { b, u, v, legs, betas } = section;
     // w_0' + w_1' + w_2' = 0.
     let first = -3.0 * s * s + 3.0 * s * (s - 2.0 * t) * (1.0 - lambda);
     let last = 3.0 * t * t + 3.0 * t * (2.0 * s - t) * (1.0 - mu);
@@ -198,7 +224,7 @@ fn differentiate_section(sub: &Subcurve<'_>, known: &Known, nodes: &[Node], i: u
         LockEquation::GivenParameter => {}
         LockEquation::OnGuide(across) => rows[3][1][..3].copy_from_slice(&(across * unit).to_array()),
         LockEquation::TriangleParameter => {
-            let (_, [by_u, by_v]) = self_consistent::parameter(sub.options, u, v);
+            let (_, [by_u, by_v]) = self_consistent::parameter_and_gradients(sub.options, u, v);
             let controls = [by_u * (1.0 - betas[0]), by_u * betas[0] + by_v * (1.0 - betas[1]), by_v * betas[1]];
             for (row, by) in rows[3].iter_mut().zip(controls) {
                 row[..3].copy_from_slice(&(-by).to_array());
@@ -212,19 +238,19 @@ fn differentiate_section(sub: &Subcurve<'_>, known: &Known, nodes: &[Node], i: u
 
 /// Adds the derivatives of the logarithm of the curvature of section `i`, times `sign`: at its end
 /// if `sign` is 1, otherwise at its start. The row begins at the point before the joint.
-fn differentiate_end(
+fn differentiate_log_end_curvature(
     sub: &Subcurve<'_>,
-    known: &[Known],
-    nodes: &[Node],
+    known: &[GivenQuantities],
+    nodes: &[PointUnknowns],
     i: usize,
     sign: f64,
-    row: &mut [[f64; UNKNOWNS]; SPAN],
+    row: &mut [[f64; UNKNOWNS_PER_POINT]; POINTS_PER_EQUATION],
 ) {
     let ends = sign > 0.0;
     // The position of the section's point in the row.
     let own = if ends { 1 } else { 2 };
-    let [before, after] = legs(sub, nodes, i);
-    let factor = sign / area(sub, known, nodes, i);
+    let [before, after] = legs_at_control_point(sub, nodes, i);
+    let factor = sign / doubled_triangle_area(sub, known, nodes, i);
     // dE = dv.(w x n) + dw.(n x v) for E = n.(v x w).
     let normal = known[i].normal;
     let (by_before, by_after) = (after.cross(normal) * factor, normal.cross(before) * factor);
