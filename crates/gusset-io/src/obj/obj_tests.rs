@@ -28,10 +28,6 @@ fn notes(document: &Document) -> Vec<&str> {
     document.notes.iter().map(|note| &*note.text).collect()
 }
 
-fn faces(mesh: &Mesh) -> Vec<&[u32]> {
-    (0..mesh.face_count()).map(|face| mesh.face(face)).collect()
-}
-
 /// Six times the signed volume of a triangle mesh.
 pub(super) fn volume(mesh: &Mesh) -> f64 {
     let mut sum = 0.0;
@@ -134,7 +130,7 @@ fn positions_keep_all_digits() {
             .replace("v 1D0 0 0\n", "f 1 2 3\n")
             .as_str(),
     );
-    assert_eq!(mesh.positions.get(0), [0.1, 1e-300, -123_456_789.012_345_678_9]);
+    assert_eq!(mesh.positions.get(0), [0.1, 1e-300, -123_456_789.012_345_67]);
     assert_eq!(mesh.positions.get(1), [1.0, 2.0, 0.5]);
     assert!(mesh.positions.get(2)[0] == f64::INFINITY && mesh.positions.get(2)[2].is_nan());
 }
