@@ -28,6 +28,7 @@ mod mesh;
 mod options;
 pub mod packed;
 mod pending_file;
+mod outline_pen;
 mod parallel_fill;
 mod polygons;
 mod precision;
@@ -38,6 +39,8 @@ mod validity;
 mod text_encoding;
 mod vertex_merging;
 
+#[cfg(test)]
+mod document_checks;
 #[cfg(test)]
 mod document_tests;
 #[cfg(test)]

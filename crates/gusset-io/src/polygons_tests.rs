@@ -1,4 +1,4 @@
-use crate::test_measures::{area_and_volume, is_closed, mesh_from_faces, triangulated};
+use crate::test_measures::{area_and_volume, is_closed, mesh_from_faces, polygon_area, triangulated};
 use proptest::prelude::*;
 
 fn one_face(points: &[[f64; 3]]) -> crate::Mesh {
@@ -13,14 +13,6 @@ fn flat(points: &[[f64; 2]]) -> Vec<[f64; 3]> {
 /// Area of the triangles, of which none may be turned over.
 fn area_of_split(points: &[[f64; 3]]) -> f64 {
     area_and_volume(&triangulated(&one_face(points))).0
-}
-
-fn shoelace(points: &[[f64; 2]]) -> f64 {
-    (0..points.len())
-        .map(|k| (points[k], points[(k + 1) % points.len()]))
-        .map(|(a, b)| a[0] * b[1] - a[1] * b[0])
-        .sum::<f64>()
-        / 2.0
 }
 
 #[test]
@@ -171,7 +163,7 @@ fn large_polygons_take_little_time() {
         .collect();
     for outline in [&comb, &star] {
         let area = area_of_split(&flat(outline));
-        assert!((area / shoelace(outline) - 1.0).abs() < 1e-9, "{area} {}", shoelace(outline));
+        assert!((area / polygon_area(outline) - 1.0).abs() < 1e-9, "{area} {}", polygon_area(outline));
     }
     let random_points: Vec<[f64; 2]> = (0..count).map(|_| [next(), next()]).collect();
     for outline in [&random_points, &vec![[0.0, 0.0]; count as usize]] {
@@ -189,7 +181,7 @@ fn star(radii: &[f64], tilt: [f64; 3]) -> (Vec<[f64; 3]>, f64) {
         .map(|(radius, (sin, cos))| [radius * cos, radius * sin])
         .collect();
     let slope = (1.0 + tilt[0] * tilt[0] + tilt[1] * tilt[1]).sqrt();
-    let area = shoelace(&flat) * slope;
+    let area = polygon_area(&flat) * slope;
     (flat.iter().map(|&[x, y]| [x, y, tilt[0] * x + tilt[1] * y + tilt[2]]).collect(), area)
 }
 

@@ -1,7 +1,7 @@
 //! The scene as one mesh, for formats that hold one, and what such formats lose.
 
 use crate::document::Document;
-use crate::error::{Loss, WriteError};
+use crate::error::{Loss, WriteError, WriteErrorKind};
 use crate::material::NO_MATERIAL;
 use crate::mesh::{Domain, Mesh};
 use std::borrow::Cow;
@@ -50,6 +50,28 @@ pub(crate) fn list_lost_content(document: &Document, mesh: &Mesh, files: &str, h
         .map(|(_, name)| (*name).to_string()),
     );
     lost.into_iter().map(|name| Loss(format!("{name}, which {files} files do not hold"))).collect()
+}
+
+/// Returns whether the points are those of the curves, as readers of tables give them: a closed curve repeats its first point.
+pub(crate) fn are_points_of_curves(document: &Document) -> bool {
+    let repeated = document.curves.closed.iter().filter(|&&closed| closed).count();
+    document.curves.positions.len() + repeated == document.points.positions.len()
+}
+
+/// Lists what files that hold curves alone lose. Refuses a document without curves.
+pub(crate) fn list_lost_beside_curves(document: &Document, files: &str) -> Result<Vec<Loss>, WriteError> {
+    let has_meshes = document.meshes.iter().any(|mesh| !mesh.positions.is_empty());
+    let has_points = !document.points.positions.is_empty() && !are_points_of_curves(document);
+    if document.curves.closed.is_empty() && (has_meshes || has_points) {
+        let message = format!("{files} files are written from curves, and there are none");
+        return Err(WriteError::new(WriteErrorKind::Unsupported, message));
+    }
+    let lost = [(has_meshes, "meshes"), (has_points, "points")];
+    Ok(lost
+        .iter()
+        .filter(|(is, _)| *is)
+        .map(|(_, name)| Loss(format!("{name}, which {files} files do not hold")))
+        .collect())
 }
 
 /// Writes `1 face` or `2 faces`.

@@ -101,3 +101,12 @@ pub(crate) fn mutate(bytes: &mut Vec<u8>, changes: &[Mutation]) {
         }
     }
 }
+
+/// Returns the signed area of a polygon in the plane.
+pub(crate) fn polygon_area(points: &[[f64; 2]]) -> f64 {
+    (0..points.len())
+        .map(|place| (points[place], points[(place + 1) % points.len()]))
+        .map(|(a, b)| a[0] * b[1] - a[1] * b[0])
+        .sum::<f64>()
+        / 2.0
+}

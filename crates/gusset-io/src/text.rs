@@ -151,11 +151,11 @@ impl<'a> Scanner<'a> {
         let mut value = 0;
         let mut length = 0;
         while let Some(digit) = self.bytes.get(self.place + length).filter(|byte| byte.is_ascii_digit()) {
-            value = 10 * value + u32::from(digit - b'0');
-            length += 1;
-            if length > MAX_DIGITS {
+            if length == MAX_DIGITS {
                 return None;
             }
+            value = 10 * value + u32::from(digit - b'0');
+            length += 1;
         }
         if length == 0 || !self.is_word_end(self.place + length) {
             return None;

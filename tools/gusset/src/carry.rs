@@ -4,7 +4,7 @@ use crate::failure::{Exit, Failure};
 use crate::pieces::{Piece, attribute_names};
 use crate::plugin::{Channel, Domain, Origins, Rule};
 use gusset_io::{Image, ImageData, Material, Mesh, NO_MATERIAL, NativeMaterial, Property, Values};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// Brings attributes over to `result`, whose elements come from the pieces as `origins` tells. Returns what was lost.
@@ -232,6 +232,7 @@ impl Carrier<'_, '_> {
             of_piece.resize(piece.mesh.face_count(), [0.0]);
             given.push(of_piece);
         }
+        make_names_unique(&mut materials.items);
         (self.result.materials, self.result.images) = (materials.items, images.items);
         let numbers = self.carried(Domain::Faces, Rule::Nearest, &given)?;
         self.result.mesh.face_materials =
@@ -318,6 +319,25 @@ fn append_materials(materials: &mut Unique<Material>, images: &mut Unique<Image>
         materials.index(material, hash)
     };
     piece.materials.iter().map(appended).collect()
+}
+
+/// Numbers materials that have the name of an earlier one: the second `name` becomes `name_2`.
+fn make_names_unique(materials: &mut [Material]) {
+    let mut taken: HashSet<String> = materials.iter().map(|material| material.name.clone()).collect();
+    let mut counts: HashMap<String, u32> = HashMap::new();
+    for material in materials.iter_mut().filter(|material| !material.name.is_empty()) {
+        let count = counts.entry(material.name.clone()).or_insert(0);
+        *count += 1;
+        if *count == 1 {
+            continue;
+        }
+        let mut name = format!("{}_{count}", material.name);
+        while !taken.insert(name.clone()) {
+            *count += 1;
+            name = format!("{}_{count}", material.name);
+        }
+        material.name = name;
+    }
 }
 
 fn image_hash(image: &Image) -> u64 {

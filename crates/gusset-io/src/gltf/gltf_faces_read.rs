@@ -48,7 +48,7 @@ pub(super) fn append_faces(
     mesh: &mut Mesh,
     primitive: Value<'_>,
     mode: Mode,
-    indices: &[u32],
+    mut indices: Vec<u32>,
     first_vertex: u32,
     notes: &mut Vec<Note>,
 ) -> Result<(), ReadError> {
@@ -56,7 +56,7 @@ pub(super) fn append_faces(
         return Err(ReadError::new(ReadErrorKind::TooLarge, "a mesh has more than 2^32 - 2 corners"));
     }
     if mode != Mode::Triangles {
-        return append_strip(mesh, mode, indices);
+        return append_strip(mesh, mode, &indices);
     }
     let (triangles, rest) = indices.as_chunks::<3>();
     if !rest.is_empty() {
@@ -69,14 +69,20 @@ pub(super) fn append_faces(
     }
     let is_grouped = primitive.get("extensions").and_then(|all| all.get(POLYGON_EXTENSION)).is_some();
     let polygons = primitive.get("extras").and_then(|extras| extras.get(POLYGON_EXTRAS));
-    mesh.corners.try_reserve(indices.len())?;
     if !is_grouped && polygons.is_none() {
-        mesh.face_offsets.try_reserve(triangles.len())?;
-        let start = mesh.corners.len() as u32;
-        mesh.corners.extend_from_slice(triangles.as_flattened());
-        mesh.face_offsets.extend((1..=triangles.len() as u32).map(|face| start + 3 * face));
+        let (start, count) = (mesh.corners.len() as u32, triangles.len() as u32);
+        mesh.face_offsets.try_reserve(count as usize)?;
+        mesh.face_offsets.extend((1..=count).map(|face| start + 3 * face));
+        if start == 0 {
+            indices.truncate(3 * count as usize);
+            mesh.corners = indices;
+        } else {
+            mesh.corners.try_reserve(indices.len())?;
+            mesh.corners.extend_from_slice(triangles.as_flattened());
+        }
         return Ok(());
     }
+    mesh.corners.try_reserve(indices.len())?;
     let mut place = 0;
     for polygon in polygons.into_iter().flat_map(Value::items) {
         match listed_polygon(polygon, triangles, place, first_vertex) {

@@ -144,7 +144,7 @@ impl<'r, 'a> MeshReader<'r, 'a> {
         // Offsets and corners; strips make three corners of each index.
         let faces = indices.len() as u64 / if mode == Mode::Triangles { 3 } else { 1 };
         self.accessors.buffers.budget.take::<[u32; 4]>(faces)?;
-        append_faces(&mut self.mesh, primitive, mode, &indices, range[0], self.notes)
+        append_faces(&mut self.mesh, primitive, mode, indices, range[0], self.notes)
     }
 
     /// Appends the vertices of a primitive. Returns the first one and their number.

@@ -27,3 +27,14 @@ mod write_gltf;
 
 pub(crate) use read_gltf::read_gltf;
 pub(crate) use write_gltf::{write_glb, write_gltf};
+
+#[cfg(test)]
+mod gltf_test_files;
+#[cfg(test)]
+mod gltf_tests;
+#[cfg(test)]
+mod meshopt_tests;
+#[cfg(test)]
+mod gltf_hostile_tests;
+#[cfg(test)]
+mod gltf_write_tests;

@@ -108,7 +108,8 @@ fn placements_become_objects() {
     let back = read(&text);
     let names: Vec<_> = back.meshes.iter().map(|mesh| &*mesh.name).collect();
     assert_eq!(names, ["first_f 9 9 9", "object_2", "second"]);
-    let [back, flat] = [back, document].map(|scene| scene.into_joined(u64::MAX).expect("it is small").meshes.remove(0));
+    let back = back.into_joined(u64::MAX).expect("it is small").meshes.remove(0);
+    let flat = document.into_joined(u64::MAX).expect("it is small").meshes.remove(0);
     assert_eq!(back.face_count(), flat.face_count());
     for (now, was) in (0..back.face_count()).map(|face| (back.face_range(face), flat.face_range(face))) {
         for (now, was) in now.zip(was) {

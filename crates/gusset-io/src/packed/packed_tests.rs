@@ -118,11 +118,11 @@ fn each_broken_rule_is_refused() {
     assert!(broken(|d| d.meshes[0].face_offsets[0] = 1).contains("instead of 0 to 7"));
     assert!(broken(|d| d.meshes[0].merge[3] = 4).contains("representative 4 does not exist"));
     assert!(broken(|d| d.meshes[0].merge = vec![1, 2, 2, 3]).contains("does not represent itself"));
-    assert!(broken(|d| drop(d.meshes[0].merge.pop())).contains("merge have 3 entries"));
+    assert!(broken(|d| d.meshes[0].merge.truncate(3)).contains("merge have 3 entries"));
     assert!(broken(|d| d.meshes[0].normals = Values::Vertices(vec![])).contains("normals have 0"));
     assert!(broken(|d| d.meshes[0].texcoords = Values::Corners(vec![[0.0; 2]])).contains("texture coordinates have 1"));
     assert!(broken(|d| d.meshes[0].face_materials[0] = 2).contains("material 2 does not exist (there are 2)"));
-    assert!(broken(|d| drop(d.meshes[0].properties[0].values.pop())).contains("property quality"));
+    assert!(broken(|d| d.meshes[0].properties[0].values.truncate(1)).contains("property quality"));
     assert!(broken(|d| d.placements[0].mesh = 1).contains("placement 0: mesh 1"));
     assert!(broken(|d| d.materials[1].image = Some(2)).contains("material 1: image 2"));
     assert!(broken(|d| d.curves.closed.push(false)).contains("curves: 2 offsets instead of 3"));

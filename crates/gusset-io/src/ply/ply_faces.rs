@@ -25,7 +25,7 @@ impl FaceParts {
     }
 
     /// Appends an element's rows to the faces of a mesh of `vertex_count` vertices. Returns the number of faces with fewer than three
-    /// corners, which it leaves out. `believed` is the number of rows that the file can hold.
+    /// corners, which it leaves out. `believed` is the number of faces with three corners that the file can hold.
     pub(super) fn read_faces<R: Rows>(
         &mut self,
         rows: &mut R,
@@ -39,6 +39,7 @@ impl FaceParts {
         let colour = columns.colour.filter(|_| self.has_colours).map(|columns| ColourReader::new(element, columns));
         let first_colour = mesh.face_colours.len();
         make_room(&mut mesh.face_offsets, believed)?;
+        make_room(&mut mesh.corners, 3 * believed)?;
         if colour.is_some() {
             make_room(&mut mesh.face_colours, believed)?;
         }

@@ -34,14 +34,7 @@ pub(super) trait Rows {
 
     /// Appends the list in a column as indices below `count`. Returns the place of the first other number as the error.
     fn append_indices(&self, column: usize, count: u32, indices: &mut Vec<u32>) -> Result<(), usize> {
-        for place in 0..self.length(column) {
-            let value = self.item(column, place);
-            if !(value >= 0.0 && value < f64::from(count) && value.fract() == 0.0) {
-                return Err(place);
-            }
-            indices.push(value as u32);
-        }
-        Ok(())
+        append_whole_numbers((0..self.length(column)).map(|place| self.item(column, place)), count, indices)
     }
 
     /// Returns the number of bytes behind the current row.
@@ -49,6 +42,17 @@ pub(super) trait Rows {
 
     /// Returns where the current row is.
     fn place(&self) -> Place;
+}
+
+/// Appends numbers as indices below `count`. Returns the place of the first other number as the error.
+fn append_whole_numbers(values: impl Iterator<Item = f64>, count: u32, indices: &mut Vec<u32>) -> Result<(), usize> {
+    for (place, value) in values.enumerate() {
+        if !(value >= 0.0 && value < f64::from(count) && value.fract() == 0.0) {
+            return Err(place);
+        }
+        indices.push(value as u32);
+    }
+    Ok(())
 }
 
 /// Makes the error of a row that the file does not hold completely.
@@ -118,7 +122,18 @@ impl<'a, const BIG: bool> BinaryRows<'a, BIG> {
         }
     }
 
+    /// Returns the length of a list; `None` if it is negative, fractional or beyond the file.
+    #[inline]
+    fn length_at(&self, number: Number, place: usize) -> Option<usize> {
+        if number == Number::U8 {
+            return Some(usize::from(self.bytes[place]));
+        }
+        let value = self.decoded(number, place);
+        (value >= 0.0 && value.fract() == 0.0 && value <= self.bytes.len() as f64).then_some(value as usize)
+    }
+
     /// Finds the ends of the lists in the next row.
+    #[inline]
     fn measure_row(&mut self, element: &Element<'_>, row: u64) -> Result<(), ReadError> {
         let mut place = self.end;
         let here = Place::Byte(self.end as u64);
@@ -129,16 +144,14 @@ impl<'a, const BIG: bool> BinaryRows<'a, BIG> {
                 if self.bytes.len() - place < length.size() {
                     return Err(truncated(element, row, here));
                 }
-                let value = self.decoded(length, place);
+                let Some(found) = self.length_at(length, place) else {
+                    return Err(wrong_length(element, row, column, self.decoded(length, place), here));
+                };
                 place += length.size();
-                // Lists of characters (tokens of 1 byte) and of a length in single precision are compared alike.
-                if !(value >= 0.0 && value.fract() == 0.0 && value <= self.bytes.len() as f64) {
-                    return Err(wrong_length(element, row, column, value, here));
-                }
-                count = value as usize;
+                count = found;
                 size = size.saturating_mul(count);
                 if self.bytes.len() - place < size {
-                    return Err(wrong_length(element, row, column, value, here));
+                    return Err(wrong_length(element, row, column, count as f64, here));
                 }
             } else if self.bytes.len() - place < size {
                 return Err(truncated(element, row, here));
@@ -196,23 +209,17 @@ impl<const BIG: bool> Rows for BinaryRows<'_, BIG> {
         let cell = self.cells[column];
         let from = self.start + cell.start;
         let list = self.bytes.get(from..from + cell.length * cell.number.size()).unwrap_or_default();
+        let start = indices.len();
+        match cell.number {
+            Number::U8 => indices.extend(list.iter().map(|&index| u32::from(index))),
+            Number::I32 | Number::U32 => indices.extend(
+                list.as_chunks().0.iter().map(|&b| if BIG { u32::from_be_bytes(b) } else { u32::from_le_bytes(b) }),
+            ),
+            _ => return append_whole_numbers((0..cell.length).map(|place| self.item(column, place)), count, indices),
+        }
         // A negative index is above all others as an unsigned one.
         let limit = if cell.number == Number::I32 { count.min(1 << 31) } else { count };
-        let mut append = |index: u32, place: usize| {
-            indices.push(index);
-            if index < limit { Ok(()) } else { Err(place) }
-        };
-        match cell.number {
-            Number::U8 => list.iter().enumerate().try_for_each(|(place, &index)| append(u32::from(index), place)),
-            Number::I32 | Number::U32 => list.as_chunks::<4>().0.iter().enumerate().try_for_each(|(place, &bytes)| {
-                append(if BIG { u32::from_be_bytes(bytes) } else { u32::from_le_bytes(bytes) }, place)
-            }),
-            _ => (0..cell.length).try_for_each(|place| {
-                let value = self.item(column, place);
-                let is_index = value >= 0.0 && value < f64::from(count) && value.fract() == 0.0;
-                if is_index { append(value as u32, place) } else { Err(place) }
-            }),
-        }
+        indices[start..].iter().position(|&index| index >= limit).map_or(Ok(()), Err)
     }
 
     fn remaining(&self) -> usize {
@@ -312,9 +319,17 @@ impl Rows for TextRows<'_> {
     }
 }
 
-/// Returns the number of rows that the rest of the file can hold: at most the element's count.
-pub(super) fn believed_count(element: &Element<'_>, encoding: Encoding, remaining: usize) -> usize {
-    let size = element.min_row_size(encoding).max(1);
+/// Returns the number of rows that the rest of the file can hold, at most the element's count, if each row has at least `items` numbers
+/// in the list `list`.
+pub(super) fn believed_count(
+    element: &Element<'_>,
+    encoding: Encoding,
+    remaining: usize,
+    list: Option<(usize, usize)>,
+) -> usize {
+    let item_size = |column: usize| if encoding == Encoding::Text { 2 } else { element.columns[column].number.size() };
+    let list_size = list.map_or(0, |(column, items)| items * item_size(column));
+    let size = (element.min_row_size(encoding) + list_size).max(1);
     // The last word of a text needs no blank behind it.
     let most = remaining.saturating_add(1) / size;
     usize::try_from(element.count).map_or(most, |count| count.min(most))

@@ -55,13 +55,15 @@ impl Content {
         let mut face_parts = content.share_face_columns(header, &mut roles);
         for (element, role) in header.elements.iter().zip(&roles).filter(|(element, _)| element.count > 0) {
             rows.begin(element)?;
-            let believed = believed_count(element, header.encoding, rows.remaining());
+            let believed = |list| believed_count(element, header.encoding, rows.remaining(), list);
             let mesh = &mut content.mesh;
             match role {
                 Role::Vertices(columns) => {
+                    let believed = believed(None);
                     read_vertices(&mut rows, element, columns, vertex_parts, believed, mesh, &mut content.notes)?;
                 }
                 Role::Faces(columns) => {
+                    let believed = believed(Some((columns.vertices, 3)));
                     content.dropped += face_parts.read_faces(
                         &mut rows,
                         element,
@@ -73,7 +75,10 @@ impl Content {
                     )?;
                 }
                 Role::Strips(list) => face_parts.read_strips(&mut rows, element, *list, count, mesh)?,
-                Role::Grid => content.grid = read_grid(&mut rows, element, believed, count)?,
+                Role::Grid => {
+                    let believed = believed(None);
+                    content.grid = read_grid(&mut rows, element, believed, count)?;
+                }
                 Role::Other => rows.skip(element)?,
             }
         }

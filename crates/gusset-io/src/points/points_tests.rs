@@ -120,6 +120,8 @@ fn errors_name_line_and_column() {
     assert_eq!(message("x,y\n0,0\n1,one\n"), "3: point 1: column 2: \"one\" is not a number");
     assert_eq!(message("0 0 0\n1 1\n"), "2: point 1: 2 numbers; the first row has 3");
     assert_eq!(message("nothing\nhere 7\n"), "no line has at least 2 numbers and nothing else");
+    let heights = "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17\n";
+    assert_eq!(message(heights), "17 columns without names; name x, y and z in a first line");
     assert!(message("PK\x03\x04...").contains("ZIP"));
     assert_eq!(points(&read("")), [[0.0; 3]; 0]);
     assert_eq!(points(&read("\n \n")), [[0.0; 3]; 0]);

@@ -14,12 +14,22 @@ use crate::text_encoding::decode_text;
 /// Marks a row before which a polyline ends, beside one bit for each group column.
 const BREAK_BIT: u8 = 1 << 7;
 
+/// Most columns of a table without a header: a wider one holds something else, such as heights.
+const MAX_UNNAMED_COLUMNS: usize = 16;
+
 pub(crate) fn read_table(bytes: &[u8], _: &ReadOptions) -> Result<Document, ReadError> {
     let text = decode_text(bytes)?;
     let mut reader = TableReader::default();
     for (index, line) in text.split(|&byte| byte == b'\n').enumerate() {
         reader.line = index as u64 + 1;
         reader.read_line(line.trim_ascii())?;
+    }
+    if let Some(layout) = &reader.layout
+        && layout.columns.is_guessed
+        && layout.count > MAX_UNNAMED_COLUMNS
+    {
+        let message = format!("{} columns without names; name x, y and z in a first line", layout.count);
+        return Err(ReadError::malformed(Place::Whole, message));
     }
     if reader.layout.is_none() && !text.iter().all(u8::is_ascii_whitespace) {
         return Err(refuse_foreign_file(bytes)

@@ -6,6 +6,7 @@ use crate::error::{Loss, WriteError, WriteErrorKind};
 use crate::mesh::Positions;
 use crate::options::WriteOptions;
 use crate::resources::Target;
+use crate::scene::are_points_of_curves;
 use crate::text::TextWriter;
 
 pub(crate) fn write_xyz(
@@ -39,8 +40,7 @@ fn write_table(document: &Document, target: &mut Target<'_>, separator: u8) -> R
     if has_meshes {
         losses.push(Loss(format!("meshes, which {files} files do not hold")));
     }
-    // Readers of tables give all points of curves as points too.
-    let are_points_of_curves = has_curves && rows_of_curves(document) == document.points.positions.len();
+    let are_points_of_curves = has_curves && are_points_of_curves(document);
     let mut table = Table { document, separator, columns: Columns::default(), out: TextWriter::new(target.main) };
     if are_points_of_curves || !has_curves {
         table.columns = Columns::from_document(document, separator, &mut losses);
@@ -57,11 +57,6 @@ fn write_table(document: &Document, target: &mut Target<'_>, separator: u8) -> R
     }
     table.out.finish()?;
     Ok(losses)
-}
-
-/// Returns the number of rows of all curves. A closed curve repeats its first point at its end.
-fn rows_of_curves(document: &Document) -> usize {
-    document.curves.positions.len() + document.curves.closed.iter().filter(|&&closed| closed).count()
 }
 
 /// Columns beside coordinates.

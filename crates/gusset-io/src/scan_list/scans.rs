@@ -8,20 +8,21 @@ use crate::material::{ImageData, NO_MATERIAL, NativeMaterial};
 use crate::mesh::Positions;
 use crate::options::ReadOptions;
 use crate::resources::Resources;
-use std::collections::BTreeMap;
+use std::cell::{Cell, RefCell};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Document that grows with the scans.
 pub(super) struct Scene<'a> {
     pub(super) document: Document,
     /// For each name: the scan's only mesh and its transform, or the line of a scan that cannot be repeated.
     loaded: BTreeMap<String, Result<(u32, Pose), Place>>,
-    resources: &'a dyn Resources,
+    ledger: Ledger<'a>,
     options: &'a ReadOptions,
 }
 
 impl<'a> Scene<'a> {
     pub(super) fn new(resources: &'a dyn Resources, options: &'a ReadOptions) -> Self {
-        Self { document: Document::default(), loaded: BTreeMap::new(), resources, options }
+        Self { document: Document::default(), loaded: BTreeMap::new(), ledger: Ledger::new(resources), options }
     }
 
     /// Returns whether no scan was added.
@@ -64,8 +65,8 @@ impl<'a> Scene<'a> {
             Some(format) => format,
             None => return Err(ReadError::unsupported(format!("{name}: the extension is unknown"))),
         };
-        let bytes = self.resources.load(name)?;
-        let beside = Beside { folder: folder(name), resources: self.resources };
+        let bytes = self.ledger.load(name)?;
+        let beside = Beside { folder: folder(name), ledger: &self.ledger };
         read(&bytes, format, &beside, self.options).map_err(|error| ReadError {
             message: printable(&match error.place {
                 Place::Whole => format!("{name}: {}", error.message),
@@ -206,16 +207,46 @@ fn append_curves(document: &mut Document, added: &crate::Curves, pose: &Pose) ->
     Ok(())
 }
 
+/// Counts the bytes of files that are loaded, so that many scans cannot load one large file again and again.
+struct Ledger<'a> {
+    resources: &'a dyn Resources,
+    names: RefCell<BTreeSet<String>>,
+    first_bytes: Cell<u64>,
+    repeated_bytes: Cell<u64>,
+}
+
+/// Largest number of bytes that are loaded again, as a multiple of the bytes of all loaded files.
+const MAX_REPEATED: u64 = 16;
+
+impl<'a> Ledger<'a> {
+    fn new(resources: &'a dyn Resources) -> Self {
+        Self { resources, names: RefCell::default(), first_bytes: Cell::new(0), repeated_bytes: Cell::new(0) }
+    }
+
+    fn load(&self, name: &str) -> Result<Vec<u8>, ReadError> {
+        let name = plain_name(name);
+        if self.repeated_bytes.get() > MAX_REPEATED * self.first_bytes.get() {
+            let text = format!("{name} and other files are loaded too often; read fewer scans that share files");
+            return Err(ReadError::new(ReadErrorKind::TooLarge, text));
+        }
+        let bytes = self.resources.load(&name)?;
+        let is_first = self.names.borrow_mut().insert(name);
+        let counter = if is_first { &self.first_bytes } else { &self.repeated_bytes };
+        counter.set(counter.get() + bytes.len() as u64);
+        Ok(bytes)
+    }
+}
+
 /// Files beside a scan.
 struct Beside<'a> {
     /// The scan's folder with a slash behind it, or nothing.
     folder: &'a str,
-    resources: &'a dyn Resources,
+    ledger: &'a Ledger<'a>,
 }
 
 impl Resources for Beside<'_> {
     fn load(&self, name: &str) -> Result<Vec<u8>, ReadError> {
-        self.resources.load(&format!("{}{name}", self.folder))
+        self.ledger.load(&format!("{}{name}", self.folder))
     }
 }
 

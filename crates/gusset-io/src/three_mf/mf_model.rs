@@ -19,7 +19,7 @@ pub(super) struct Component {
 pub(super) struct Object {
     pub(super) id: ResourceId,
     pub(super) name: String,
-    pub(super) mesh: Option<Mesh>,
+    pub(super) mesh: Option<Box<Mesh>>,
     pub(super) components: Vec<Component>,
     /// Whether the object supports others during a print.
     pub(super) is_support: bool,

@@ -9,3 +9,6 @@ mod write_3mf;
 
 pub(crate) use read_3mf::read_3mf;
 pub(crate) use write_3mf::write_3mf;
+
+#[cfg(test)]
+mod three_mf_tests;

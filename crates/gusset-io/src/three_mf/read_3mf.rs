@@ -174,7 +174,7 @@ fn place_items(mut model: Model, document: &mut Document, budget: &mut Budget) -
             let Some(object) = model.objects.get_mut(&id) else { continue };
             if let Some(mesh) = object.mesh.take() {
                 places.insert(id, document.meshes.len() as u32);
-                document.meshes.push(mesh);
+                document.meshes.push(*mesh);
             }
             if let Some(&mesh) = places.get(&id) {
                 budget.take::<u8>(object.name.len() as u64)?;

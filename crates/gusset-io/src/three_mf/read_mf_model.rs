@@ -233,7 +233,8 @@ impl<'r> ModelReader<'r> {
     fn end_object(&mut self) -> Result<(), ReadError> {
         let Some(mut object) = self.object.take() else { return Ok(()) };
         if let Some(open) = self.mesh.take() {
-            object.mesh = Some(self.finished_mesh(open, &object)?);
+            self.budget.take::<Mesh>(1)?;
+            object.mesh = Some(Box::new(self.finished_mesh(open, &object)?));
         }
         let id = object.id;
         if self.model.objects.insert(id, object).is_some() {
