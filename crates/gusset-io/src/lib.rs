@@ -8,20 +8,36 @@
 //! the line or element. Each reader takes time linear in the file, and memory of at most [`MEMORY_MULTIPLE`] times its size.
 //!
 //! One folder holds one format. `document`, `mesh` and `material` are the model that all formats share; `text` reads and writes numbers
-//! and words; `polygons` splits polygons into triangles; `precision` tells what single precision would move.
+//! and words; `polygons` splits polygons into triangles, by `ear_clipping` and `least_overlap`; `precision` tells what single precision
+//! would move; `scene` joins meshes for formats that hold one; `vertex_merging` finds equal positions.
 
 mod budget;
+mod colour_steps;
 mod document;
+mod ear_clipping;
 mod error;
 mod files;
+mod foreign_files;
 mod format;
+mod least_overlap;
 mod material;
+mod merging;
 mod mesh;
 mod options;
+mod outline_pen;
+mod parallel_fill;
 mod polygons;
 mod precision;
 mod resources;
+mod scene;
 mod text;
+mod text_encoding;
+mod vertex_merging;
+
+#[cfg(test)]
+mod polygons_tests;
+#[cfg(test)]
+mod test_measures;
 
 mod dxf;
 mod gltf;

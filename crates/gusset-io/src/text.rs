@@ -26,6 +26,11 @@ impl<'a> Scanner<'a> {
         self.place
     }
 
+    /// Returns the number of bytes that follow.
+    pub(crate) fn remaining(&self) -> usize {
+        self.bytes.len() - self.place
+    }
+
     /// Returns the next word of this line, or `None` at its end, which it does not pass.
     pub(crate) fn word_in_line(&mut self) -> Option<&'a [u8]> {
         loop {

@@ -350,12 +350,13 @@ fn unicode_escape(bytes: &[u8], place: &mut usize) -> char {
     };
     let Some(high) = half(*place) else { return char::REPLACEMENT_CHARACTER };
     *place += 4;
-    if (0xd800..0xdc00).contains(&high) && bytes.get(*place..*place + 2) == Some(b"\\u") {
-        if let Some(low @ 0xdc00..=0xdfff) = half(*place + 2) {
-            *place += 6;
-            return char::from_u32(0x10000 + ((high - 0xd800) << 10) + (low - 0xdc00))
-                .unwrap_or(char::REPLACEMENT_CHARACTER);
-        }
+    if (0xd800..0xdc00).contains(&high)
+        && bytes.get(*place..*place + 2) == Some(b"\\u")
+        && let Some(low @ 0xdc00..=0xdfff) = half(*place + 2)
+    {
+        *place += 6;
+        return char::from_u32(0x10000 + ((high - 0xd800) << 10) + (low - 0xdc00))
+            .unwrap_or(char::REPLACEMENT_CHARACTER);
     }
     char::from_u32(high).unwrap_or(char::REPLACEMENT_CHARACTER)
 }

@@ -1,0 +1,192 @@
+//! STL files from meshes.
+
+use super::{FACET_BYTES, HEADER_BYTES};
+use crate::document::Document;
+use crate::error::{Loss, ReadError, WriteError, WriteErrorKind};
+use crate::mesh::{Mesh, Positions};
+use crate::options::WriteOptions;
+use crate::polygons::triangulate_face;
+use crate::precision::check_rounding;
+use crate::resources::Target;
+use crate::scene::{counted, list_lost_content, scene_mesh};
+use crate::text::TextWriter;
+use crate::vertex_merging::{Coordinate, VertexMerger};
+
+/// Name of a solid whose mesh has none, and header of binary files.
+const DEFAULT_NAME: &str = "gusset";
+/// Bytes of facets that are written at a time.
+const BUFFER_BYTES: usize = FACET_BYTES << 10;
+
+pub(crate) fn write_stl(
+    document: &Document,
+    target: &mut Target<'_>,
+    options: &WriteOptions,
+) -> Result<Vec<Loss>, WriteError> {
+    let mesh = scene_mesh(document)?;
+    let mut losses = list_lost_content(document, &mesh, "STL", &[]);
+    let (mut triangles, mut polygons, mut left_out) = (0_u64, 0, 0);
+    for face in 0..mesh.face_count() {
+        let corners = mesh.face_range(face).len();
+        triangles += corners.saturating_sub(2) as u64;
+        polygons += usize::from(corners > 3);
+        left_out += usize::from(corners < 3);
+    }
+    if polygons > 0 {
+        let faces = counted(polygons, "face", "faces");
+        losses.push(Loss(format!("{faces} of more than three corners: cut into triangles")));
+    }
+    if left_out > 0 {
+        losses.push(Loss(format!("{} of fewer than three corners", counted(left_out, "face", "faces"))));
+    }
+    if options.text {
+        write_text(&mesh, target)?;
+    } else {
+        let remedy = "write the STL file as text, or permit the loss";
+        let largest = check_rounding(&mesh, [0.0; 3], options.lossy, remedy)?;
+        if largest > 0.0 {
+            losses.push(Loss(format!("positions rounded to single precision, by up to {largest:.1e}")));
+        }
+        let Ok(count) = u32::try_from(triangles) else {
+            return Err(WriteError::new(
+                WriteErrorKind::Unsupported,
+                format!("{triangles} triangles are more than 2^32 - 1"),
+            ));
+        };
+        write_binary(&mesh, count, target)?;
+    }
+    list_lost_vertices(&mesh, options.text, &mut losses)?;
+    Ok(losses)
+}
+
+/// Calls `write` with the corners of each triangle.
+fn for_each_triangle(
+    mesh: &Mesh,
+    mut write: impl FnMut([[f64; 3]; 3]) -> Result<(), WriteError>,
+) -> Result<(), WriteError> {
+    let mut triangles = Vec::new();
+    for face in 0..mesh.face_count() {
+        let vertices = mesh.face(face);
+        let mut write_corners =
+            |places: [u32; 3]| write(places.map(|place| mesh.positions.get(vertices[place as usize] as usize)));
+        if vertices.len() == 3 {
+            write_corners([0, 1, 2])?;
+            continue;
+        }
+        triangulate_face(mesh, face, &mut triangles);
+        triangles.iter().try_for_each(|&places| write_corners(places))?;
+    }
+    Ok(())
+}
+
+fn write_binary(mesh: &Mesh, count: u32, target: &mut Target<'_>) -> Result<(), WriteError> {
+    let mut buffer = Vec::with_capacity(BUFFER_BYTES);
+    buffer.extend_from_slice(DEFAULT_NAME.as_bytes());
+    buffer.resize(HEADER_BYTES, b' ');
+    buffer.extend_from_slice(&count.to_le_bytes());
+    for_each_triangle(mesh, |corners| {
+        if buffer.len() + FACET_BYTES > BUFFER_BYTES {
+            target.main.write_all(&buffer)?;
+            buffer.clear();
+        }
+        let mut facet = [0; FACET_BYTES];
+        let vectors = [unit_normal(corners), corners[0], corners[1], corners[2]];
+        for (bytes, part) in facet.as_chunks_mut::<4>().0.iter_mut().zip(vectors.as_flattened()) {
+            *bytes = (*part as f32).to_le_bytes();
+        }
+        buffer.extend_from_slice(&facet);
+        Ok(())
+    })?;
+    target.main.write_all(&buffer)?;
+    Ok(target.main.flush()?)
+}
+
+fn write_text(mesh: &Mesh, target: &mut Target<'_>) -> Result<(), WriteError> {
+    let is_single = matches!(mesh.positions, Positions::F32(_));
+    let name =
+        if mesh.name.trim().is_empty() { DEFAULT_NAME.into() } else { crate::error::printable(mesh.name.trim()) };
+    let mut out = TextWriter::new(target.main);
+    out.text("solid ")?;
+    out.text(&name)?;
+    for_each_triangle(mesh, |corners| {
+        out.text("\nfacet normal")?;
+        for part in unit_normal(corners) {
+            out.text(" ")?;
+            out.single(part as f32)?;
+        }
+        out.text("\nouter loop")?;
+        for corner in corners {
+            out.text("\nvertex")?;
+            for coordinate in corner {
+                out.text(" ")?;
+                if is_single { out.single(coordinate as f32)? } else { out.double(coordinate)? }
+            }
+        }
+        Ok(out.text("\nendloop\nendfacet")?)
+    })?;
+    out.text("\nendsolid ")?;
+    out.text(&name)?;
+    out.text("\n")?;
+    Ok(out.finish()?)
+}
+
+/// Returns the normal of a triangle with length 1, or 0 if the triangle has no area.
+fn unit_normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
+    let [u, v] = [b, c].map(|end| [end[0] - a[0], end[1] - a[1], end[2] - a[2]]);
+    let normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    let length = normal.iter().map(|part| part * part).sum::<f64>().sqrt();
+    // The sum adds 0 so that no part is -0.
+    if length > 0.0 && length.is_finite() { normal.map(|part| part / length + 0.0) } else { [0.0; 3] }
+}
+
+/// Adds vertices that no face uses, and vertices that will be merged with others at their positions.
+fn list_lost_vertices(mesh: &Mesh, text: bool, losses: &mut Vec<Loss>) -> Result<(), WriteError> {
+    let count = mesh.positions.len();
+    let mut is_used = Vec::new();
+    is_used.try_reserve_exact(count)?;
+    is_used.resize(count, false);
+    for &vertex in &mesh.corners {
+        is_used[vertex as usize] = true;
+    }
+    let unused = is_used.iter().filter(|&&used| !used).count();
+    if unused > 0 {
+        losses.push(Loss(format!("{} that no face uses", counted(unused, "vertex", "vertices"))));
+    }
+    // Vertices that the mesh itself merges count once.
+    for vertex in 0..mesh.merge.len() {
+        let representative = mesh.merge[vertex] as usize;
+        if is_used[vertex] && representative != vertex {
+            is_used[vertex] = false;
+            is_used[representative] = true;
+        }
+    }
+    let used = |vertex: &usize| is_used[*vertex];
+    let equal = match &mesh.positions {
+        Positions::F64(points) if text => count_equal_points((0..count).filter(used).map(|vertex| points[vertex])),
+        Positions::F64(points) => {
+            count_equal_points((0..count).filter(used).map(|vertex| points[vertex].map(|part| part as f32)))
+        }
+        Positions::F32(points) => count_equal_points((0..count).filter(used).map(|vertex| points[vertex])),
+    }
+    .map_err(|error| WriteError::new(WriteErrorKind::OutOfMemory, error.message))?;
+    if equal > 0 {
+        let vertices = counted(equal, "vertex", "vertices");
+        losses.push(Loss(format!("the difference between {vertices} and others at the same positions")));
+    }
+    Ok(())
+}
+
+fn count_equal_points<T: Coordinate>(points: impl Iterator<Item = [T; 3]>) -> Result<usize, ReadError> {
+    const BATCH_POINTS: usize = 1 << 10;
+    let mut merger = VertexMerger::new(points.size_hint().1.unwrap_or(0))?;
+    let (mut batch, mut vertices) = (Vec::with_capacity(BATCH_POINTS), Vec::new());
+    let mut points = points.peekable();
+    let mut count = 0;
+    while points.peek().is_some() {
+        batch.clear();
+        vertices.clear();
+        batch.extend(points.by_ref().take(BATCH_POINTS));
+        count += batch.len();
+        merger.extend(&batch, &mut vertices)?;
+    }
+    Ok(count - merger.len())
+}
