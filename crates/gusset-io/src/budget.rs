@@ -17,7 +17,7 @@ impl Budget {
     /// Makes the budget of a file.
     pub(crate) fn new(file_bytes: usize) -> Self {
         let source_bytes = file_bytes as u64;
-        Self { left: source_bytes.saturating_mul(MEMORY_MULTIPLE).max(MIN_BUDGET), source_bytes }
+        Self { left: allowed_bytes(source_bytes), source_bytes }
     }
 
     /// Adds a file that the first one refers to.
@@ -39,7 +39,7 @@ impl Budget {
                 self.left = left;
                 Ok(())
             }
-            None => Err(self.error(bytes)),
+            None => Err(self.error()),
         }
     }
 
@@ -51,13 +51,18 @@ impl Budget {
         Ok(made)
     }
 
-    fn error(&self, bytes: u64) -> ReadError {
+    fn error(&self) -> ReadError {
+        let allowed = allowed_bytes(self.source_bytes);
         ReadError::new(
             ReadErrorKind::TooLarge,
             format!(
-                "the file describes more than {MEMORY_MULTIPLE} times its size: {bytes} bytes more than its {} bytes allow",
+                "the file has {} bytes, and what it describes would take more than {allowed} bytes of memory",
                 self.source_bytes
             ),
         )
     }
+}
+
+fn allowed_bytes(source_bytes: u64) -> u64 {
+    source_bytes.saturating_mul(MEMORY_MULTIPLE).max(MIN_BUDGET)
 }
