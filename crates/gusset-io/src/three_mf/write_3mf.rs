@@ -32,8 +32,8 @@ const RELATIONS: &str = concat!(
     "</Relationships>\n"
 );
 
-/// Level of deflate: a higher one takes twice the time for a tenth of the size.
-const COMPRESSION_LEVEL: u32 = 4;
+/// Level of deflate. Level 4 takes twice the time for 9 % less.
+const COMPRESSION_LEVEL: u32 = 2;
 
 pub(crate) fn write_3mf(
     document: &Document,
