@@ -14,16 +14,16 @@ pub(crate) struct Budget {
 }
 
 impl Budget {
-    /// Makes the budget of a file.
+    /// Makes the budget of a file, whose own bytes count.
     pub(crate) fn new(file_bytes: usize) -> Self {
         let source_bytes = file_bytes as u64;
-        Self { left: allowed_bytes(source_bytes), source_bytes }
+        Self { left: allowed_bytes(source_bytes) - source_bytes.min(allowed_bytes(source_bytes)), source_bytes }
     }
 
     /// Adds a file that the first one refers to.
     pub(crate) fn add_source(&mut self, file_bytes: usize) {
         self.source_bytes = self.source_bytes.saturating_add(file_bytes as u64);
-        self.left = self.left.saturating_add((file_bytes as u64).saturating_mul(MEMORY_MULTIPLE));
+        self.left = self.left.saturating_add((file_bytes as u64).saturating_mul(MEMORY_MULTIPLE - 1));
     }
 
     /// Returns the bytes that are left.
@@ -41,6 +41,11 @@ impl Budget {
             }
             None => Err(self.error()),
         }
+    }
+
+    /// Gives back memory of `count` elements that are no longer needed.
+    pub(crate) fn give_back<T>(&mut self, count: u64) {
+        self.left = self.left.saturating_add(count.saturating_mul(size_of::<T>() as u64));
     }
 
     /// Makes an empty vector with room for `count` elements.

@@ -1,7 +1,7 @@
 //! Split vertices: those that this library split are joined again, and others at equal positions get a common representative.
 
 use crate::budget::Budget;
-use crate::error::{ReadError, ReadErrorKind, WriteError, WriteErrorKind};
+use crate::error::{Note, Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
 use crate::mesh::{Mesh, Positions, Values};
 use crate::vertex_merging::{Coordinate, VertexMerger};
 
@@ -58,14 +58,26 @@ fn gathered<const N: usize>(
     Ok(Values::Corners(at_corners))
 }
 
-/// Gives vertices at equal positions the first of them as representative. NaN equals nothing, and -0 equals 0.
-pub(super) fn merge_equal_positions(mesh: &mut Mesh, budget: &mut Budget) -> Result<(), ReadError> {
-    budget.take::<[u64; 6]>(mesh.positions.len() as u64)?;
+/// Gives vertices at equal positions the first of them as representative. NaN equals nothing, and -0 equals 0. Merges nothing if the
+/// table of positions exceeds the budget, and says so.
+pub(super) fn merge_equal_positions(
+    mesh: &mut Mesh,
+    budget: &mut Budget,
+    notes: &mut Vec<Note>,
+) -> Result<(), ReadError> {
+    let count = mesh.positions.len() as u64;
+    if budget.take::<[u64; 6]>(count).is_err() {
+        let text = format!("a mesh of {count} vertices is not merged at equal positions, because its file is small");
+        notes.push(Note::new(Place::Whole, text));
+        return Ok(());
+    }
     let merge = match &mesh.positions {
         Positions::F32(points) => representatives(points)?,
         Positions::F64(points) => representatives(points)?,
     };
+    budget.give_back::<[u64; 6]>(count);
     if let Some(merge) = merge {
+        budget.take::<u32>(count)?;
         mesh.merge = merge;
     }
     Ok(())

@@ -78,6 +78,11 @@ impl<'a> Tape<'a> {
         Ok(parser.tape)
     }
 
+    /// Returns the memory of all values in bytes.
+    pub(super) fn bytes(&self) -> u64 {
+        (self.entries.capacity() * size_of::<Entry>()) as u64
+    }
+
     /// Returns the outermost value.
     pub(super) fn root(&self) -> Value<'_> {
         Value { tape: self, index: 0 }

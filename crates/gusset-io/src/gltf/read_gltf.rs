@@ -40,7 +40,9 @@ pub(crate) fn read_gltf(bytes: &[u8], resources: &dyn Resources, options: &ReadO
     let root = tape.root();
     check_version(root, &mut document.notes)?;
     check_extensions(root)?;
-    let buffers = Buffers::new(root, parts.binary, resources, Budget::new(bytes.len()));
+    let mut budget = Budget::new(bytes.len());
+    budget.take::<u8>(tape.bytes())?;
+    let buffers = Buffers::new(root, parts.binary, resources, budget);
     let mut accessors = Accessors::new(root, buffers);
     let shown = shown_meshes(root, &mut accessors, &mut document.notes)?;
     read_shown(root, &mut accessors, shown, options, &mut document)?;
