@@ -273,8 +273,8 @@ impl<'r, 'a> MeshReader<'r, 'a> {
 /// Makes the error of a primitive whose numbers only Draco holds.
 pub(super) fn draco_error() -> ReadError {
     ReadError::unsupported(
-        "the file requires the extension KHR_draco_mesh_compression, which is not read; convert the file with gltf-transform, \
-         or import it into Blender and export it without compression",
+        "the file requires the extension KHR_draco_mesh_compression, which is not read; decompress it by \
+         gltf-transform cp in.glb out.glb",
     )
 }
 

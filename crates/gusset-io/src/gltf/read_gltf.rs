@@ -93,7 +93,7 @@ fn check_extensions(root: Value<'_>) -> Result<(), ReadError> {
         }
         if !is_known {
             return Err(ReadError::unsupported(format!(
-                "the file requires the extension {}, which is not read; gltf-transform may convert it",
+                "the file requires the extension {}, which is not read; export the file without it",
                 printable(&name)
             )));
         }
