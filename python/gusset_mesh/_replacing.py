@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import secrets
 import stat
@@ -36,8 +37,10 @@ def replace_files(files: Mapping[Path, Array]) -> None:
 def _pending(target: str, data: Array) -> str:
     """Writes a file of another name in the folder of the target, with the target's permissions. Returns its name."""
     old = os.stat(target) if os.path.exists(target) else None
+    if old is not None and stat.S_ISDIR(old.st_mode):
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
     if old is not None and not stat.S_ISREG(old.st_mode):
-        raise OSError(0, "this is not a regular file") if not stat.S_ISDIR(old.st_mode) else IsADirectoryError(21, "this is a folder")
+        raise OSError(errno.EINVAL, "Not a regular file")
     name = os.path.join(os.path.dirname(target), f".gusset-{secrets.token_hex(8)}")
     handle = os.open(name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
     try:

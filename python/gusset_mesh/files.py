@@ -7,6 +7,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import re
@@ -114,7 +115,7 @@ def _loaded(path: Path) -> bytes:
     """The bytes of a regular file. Pipes and devices are not opened, because reading them may never end."""
     status = os.stat(path)
     if not stat.S_ISREG(status.st_mode) and not stat.S_ISDIR(status.st_mode):
-        raise OSError(f"{_shown(path)} is not a regular file")
+        raise OSError(errno.EINVAL, "Not a regular file", os.fspath(path))
     return path.read_bytes()
 
 

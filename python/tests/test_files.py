@@ -236,7 +236,7 @@ def test_errors(tmp_path):
     with pytest.raises(IsADirectoryError, match="folder.ply"):
         gm.read(tmp_path / "folder.ply")
     os.mkfifo(tmp_path / "pipe.ply")
-    with pytest.raises(OSError, match="pipe.ply is not a regular file"):
+    with pytest.raises(OSError, match="Not a regular file.*pipe.ply"):
         gm.read(tmp_path / "pipe.ply")
     with pytest.raises(TypeError):
         gm.read(None)
@@ -397,7 +397,7 @@ def test_failed_saves_leave_the_old_file(tmp_path, monkeypatch):
     with pytest.raises(IsADirectoryError, match="folder.ply"):
         gm.save(tmp_path / "folder.ply", QUAD)
     os.mkfifo(tmp_path / "pipe.ply")
-    with pytest.raises(OSError, match="pipe.ply"):
+    with pytest.raises(OSError, match="Not a regular file.*pipe.ply"):
         gm.save(tmp_path / "pipe.ply", QUAD)
     assert sorted(os.listdir(tmp_path)) == ["a.ply", "folder.ply", "pipe.ply"]
 
