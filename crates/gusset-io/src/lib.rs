@@ -17,7 +17,9 @@ mod colour_steps;
 mod document;
 mod ear_clipping;
 mod error;
+#[cfg(not(target_family = "wasm"))]
 mod files;
+#[cfg(not(target_family = "wasm"))]
 mod folder;
 mod foreign_files;
 mod format;
@@ -27,6 +29,7 @@ mod merging;
 mod mesh;
 mod options;
 pub mod packed;
+#[cfg(not(target_family = "wasm"))]
 mod pending_file;
 mod outline_pen;
 mod parallel_fill;
@@ -65,6 +68,7 @@ mod three_mf;
 
 pub use document::{Curves, Document, Placement, PointCloud};
 pub use error::{Loss, Note, Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind, printable};
+#[cfg(not(target_family = "wasm"))]
 pub use files::{read_file, write_file};
 pub use format::{Content, Format, read, write};
 pub use material::{Image, ImageData, Material, NO_MATERIAL, NativeMaterial};

@@ -24,6 +24,8 @@ use std::path::Path;
 
 /// Folder of the interface.
 pub const FOLDER: &str = "src/capi";
+/// Folder of the table of files.
+const FILES_FOLDER: &str = "crates/gusset-files/src/table";
 /// The enums of C++.
 const CHOICES: &str = "include/gusset/choices.hpp";
 
@@ -116,9 +118,12 @@ fn plugin_of(root: &Path, sources: &[source::Source], style: &dyn headers::Style
 ///
 /// As [`library_headers`].
 pub fn files_header(root: &Path) -> Result<Generated, String> {
-    let folder = "crates/gusset-files/src/table";
-    let table = Table { name: "files", folder, opening: include_str!("files.h") };
-    table_header(root, &table, &source::read(&root.join(folder), &[])?, &headers::Plain)
+    let table = Table { name: "files", folder: FILES_FOLDER, opening: include_str!("files.h") };
+    table_header(root, &table, &files_sources(root)?, &headers::Plain)
+}
+
+fn files_sources(root: &Path) -> Result<Vec<source::Source>, String> {
+    source::read(&root.join(FILES_FOLDER), &[])
 }
 
 /// A header of its own: `gusset_<name>.h`.
@@ -161,5 +166,6 @@ pub fn library_texts(root: &Path) -> Result<Vec<Generated>, String> {
 ///
 /// As [`library_headers`].
 pub fn library_description(root: &Path, version: &str) -> Result<String, String> {
-    Ok(description::lines(&description::describe(&sources(root)?, &plugin_sources(root)?, version)))
+    let (library, plugin, files) = (sources(root)?, plugin_sources(root)?, files_sources(root)?);
+    Ok(description::lines(&description::describe(&library, &plugin, &files, version)))
 }
