@@ -84,6 +84,8 @@ fn curves_keep_their_area() {
              0 LINE 10 0 20 2 11 0 21 0 0 LINE 10 0 20 0 11 2 21 0",
             PI,
         ),
+        // Without its degree.
+        ("0 SPLINE 40 0 40 0 40 0 40 1 40 1 40 1 10 0 20 0 10 3 20 4 10 6 20 0 0 LINE 10 6 20 0 11 0 21 0", -8.0),
         // Fit points alone.
         ("0 SPLINE 70 1 71 3 11 0 21 0 11 3 21 0 11 3 21 4", 6.0),
         // The normal points down: x is mirrored.
