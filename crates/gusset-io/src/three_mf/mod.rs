@@ -1,14 +1,31 @@
-//! three_mf
+//! 3MF, the 3D Manufacturing Format: a ZIP package of XML.
+//!
+//! Specification: 3MF Consortium, Core 1.3, with the Materials and Properties extension (base materials, groups of colours, textures)
+//! and the Production extension (objects in several parts). Beam lattices, slices, displacements, volumes, mixed materials and
+//! metadata are noted or left out. Encrypted content is refused.
+//!
+//! The reader expands components to placements of meshes. A chain of components can double a scene many times, so that it counts the
+//! placements before it makes them. Items and components keep their transforms, and the document tells the unit of length.
+//!
+//! Beyond the specification, the reader accepts: capitals in the names of parts, a package without relations, a main part with another
+//! name, files that build nothing (it shows all objects then), triangles with properties that do not exist, and text that is not UTF-8.
+//!
+//! The writer writes one part: objects, items with transforms, base materials with their colours, and groups of colours. Polygons
+//! become triangles. The bytes depend on the document alone.
+//!
+//! Cost: linear time. Parts are decompressed while they are read. They may expand to 256 times the file's size, a tag may have 4
+//! megabytes, and a [budget](crate::budget) limits what is made of them.
 
-use crate::document::Document;
-use crate::error::{Loss, ReadError, WriteError, WriteErrorKind};
-use crate::options::{ReadOptions, WriteOptions};
-use crate::resources::{Resources, Target};
+mod mf_attributes;
+mod mf_model;
+mod mf_package;
+mod mf_properties;
+mod read_3mf;
+mod read_mf_model;
+mod write_3mf;
 
-pub(crate) fn read_3mf(_: &[u8], _: &ReadOptions) -> Result<Document, ReadError> {
-    Err(ReadError::unsupported("not yet"))
-}
+pub(crate) use read_3mf::read_3mf;
+pub(crate) use write_3mf::write_3mf;
 
-pub(crate) fn write_3mf(_: &Document, _: &mut Target<'_>, _: &WriteOptions) -> Result<Vec<Loss>, WriteError> {
-    Err(WriteError::new(WriteErrorKind::Unsupported, "not yet"))
-}
+#[cfg(test)]
+mod three_mf_tests;

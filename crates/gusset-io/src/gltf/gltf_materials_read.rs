@@ -1,0 +1,224 @@
+//! Materials as JSON text, with their samplers and images.
+
+use super::base64::decode_percent;
+use super::gltf_buffers::{Buffers, data_address, element, malformed};
+use super::gltf_colour::srgb_from_linear;
+use super::json_tape::Value;
+use super::json_text::{Edit, push_edited};
+use crate::document::Document;
+use crate::error::{Note, Place, ReadError};
+use crate::material::{Image, ImageData, Material, NativeMaterial};
+use std::collections::BTreeMap;
+
+/// Extensions of textures that name another image, for programs that can decode it.
+pub(super) const IMAGE_EXTENSIONS: [(&str, &str); 4] = [
+    ("KHR_texture_basisu", "image/ktx2"),
+    ("EXT_texture_webp", "image/webp"),
+    ("EXT_texture_avif", "image/avif"),
+    ("MSFT_texture_dds", "image/vnd-ms.dds"),
+];
+
+/// Reads the materials that faces use, once each.
+pub(super) struct MaterialReader<'a> {
+    materials: Vec<Value<'a>>,
+    textures: Vec<Value<'a>>,
+    images: Vec<Value<'a>>,
+    samplers: Vec<Value<'a>>,
+    /// Indices in the document by indices in the file.
+    known: BTreeMap<usize, u32>,
+    known_images: BTreeMap<usize, Option<u32>>,
+}
+
+impl<'a> MaterialReader<'a> {
+    pub(super) fn new(root: Value<'a>) -> Self {
+        let list = |name| root.get(name).map_or_else(Vec::new, |list| list.items().collect());
+        Self {
+            materials: list("materials"),
+            textures: list("textures"),
+            images: list("images"),
+            samplers: list("samplers"),
+            known: BTreeMap::new(),
+            known_images: BTreeMap::new(),
+        }
+    }
+
+    /// Returns the document's index of a material of the file. Adds it to the document at its first use.
+    pub(super) fn material(
+        &mut self,
+        index: usize,
+        document: &mut Document,
+        buffers: &mut Buffers<'a>,
+    ) -> Result<u32, ReadError> {
+        if let Some(&known) = self.known.get(&index) {
+            return Ok(known);
+        }
+        let json = element(&self.materials, index, "material")?;
+        let made = self.read(json, index, document, buffers)?;
+        let place = document.materials.len() as u32;
+        document.materials.push(made);
+        self.known.insert(index, place);
+        Ok(place)
+    }
+
+    fn read(
+        &mut self,
+        json: Value<'a>,
+        index: usize,
+        document: &mut Document,
+        buffers: &mut Buffers<'a>,
+    ) -> Result<Material, ReadError> {
+        let name = json.get("name").and_then(Value::text).filter(|name| !name.is_empty());
+        let mut textures: Vec<(String, Option<u32>)> = Vec::new();
+        // Indices in `textures` by indices in the file.
+        let mut places: BTreeMap<usize, usize> = BTreeMap::new();
+        let mut failure = None;
+        let mut text = String::new();
+        let is_whole = push_edited(&mut text, json, |parent, key, value| {
+            let is_texture = parent.and_then(Value::text).is_some_and(|name| name.ends_with("Texture"));
+            if !is_texture || !key.is("index") {
+                return Edit::Keep;
+            }
+            let index = value.whole().map_or(usize::MAX, |index| index as usize);
+            let next = places.len();
+            let place = *places.entry(index).or_insert(next);
+            if place == next {
+                match self.texture(index, document, buffers) {
+                    Ok(texture) => textures.push(texture),
+                    Err(error) => {
+                        textures.push((String::new(), None));
+                        failure.get_or_insert(error);
+                    }
+                }
+            }
+            Edit::Replace(place.to_string())
+        });
+        if let Some(error) = failure {
+            return Err(error);
+        }
+        let base = BaseColour::from_json(json);
+        let image = base.texture.and_then(|texture| {
+            let place = *places.get(&texture)?;
+            textures.get(place)?.1
+        });
+        if !is_whole {
+            let text = format!("material {index} is deeper than 100 levels and is reduced to its colour");
+            document.notes.push(Note::new(Place::Whole, text));
+        }
+        Ok(Material {
+            name: name.map_or_else(|| format!("material_{index}"), std::borrow::Cow::into_owned),
+            colour: base.colour,
+            image,
+            native: is_whole.then(|| NativeMaterial::Gltf { material: text.into(), textures: textures.into() }),
+        })
+    }
+
+    /// Returns the sampler and the image of a texture.
+    fn texture(
+        &mut self,
+        index: usize,
+        document: &mut Document,
+        buffers: &mut Buffers<'a>,
+    ) -> Result<(String, Option<u32>), ReadError> {
+        let Some(&texture) = self.textures.get(index) else { return Ok((String::new(), None)) };
+        let mut sampler = String::new();
+        if let Some(place) = texture.get("sampler").and_then(Value::whole)
+            && let Some(&json) = self.samplers.get(place as usize)
+            && !push_edited(&mut sampler, json, |_, _, _| Edit::Keep)
+        {
+            sampler.clear();
+        }
+        buffers.budget.take::<u8>(sampler.len() as u64)?;
+        let extended = || {
+            let extensions = texture.get("extensions")?;
+            IMAGE_EXTENSIONS.iter().find_map(|(name, _)| extensions.get(name)?.get("source"))
+        };
+        let source = texture.get("source").or_else(extended).and_then(Value::whole);
+        let image = source.map(|image| self.image(image as usize, document, buffers)).transpose()?.flatten();
+        Ok((sampler, image))
+    }
+
+    fn image(
+        &mut self,
+        index: usize,
+        document: &mut Document,
+        buffers: &mut Buffers<'a>,
+    ) -> Result<Option<u32>, ReadError> {
+        if let Some(&known) = self.known_images.get(&index) {
+            return Ok(known);
+        }
+        let json = self.images.get(index).copied();
+        let data = json.map(|json| image_data(json, index, buffers)).transpose()?.flatten();
+        let place = data.zip(json).map(|((data, told), json)| {
+            let text = |key| json.get(key).and_then(Value::text).unwrap_or_default().into_owned();
+            let media_type = match &data {
+                ImageData::Bytes(bytes) => media_type_from_bytes(bytes).map_or(told, str::to_owned),
+                ImageData::File(_) => text("mimeType"),
+            };
+            document.images.push(Image { name: text("name"), media_type, data });
+            document.images.len() as u32 - 1
+        });
+        self.known_images.insert(index, place);
+        Ok(place)
+    }
+}
+
+/// Returns an image's bytes or file, and the media type that the JSON tells.
+fn image_data<'a>(
+    json: Value<'a>,
+    index: usize,
+    buffers: &mut Buffers<'a>,
+) -> Result<Option<(ImageData, String)>, ReadError> {
+    let told = json.get("mimeType").and_then(Value::text).unwrap_or_default().into_owned();
+    if let Some(view) = json.get("bufferView").and_then(Value::whole) {
+        let view = buffers.view(view as usize)?;
+        buffers.budget.take::<u8>(view.bytes.len() as u64)?;
+        return Ok(Some((ImageData::Bytes((&*view.bytes).into()), told)));
+    }
+    let Some(address) = json.get("uri").and_then(Value::text) else { return Ok(None) };
+    let Some(data) = data_address(&address) else {
+        return Ok(Some((ImageData::File(decode_percent(&address)), told)));
+    };
+    let bytes = data.decode().ok_or_else(|| malformed(format!("image {index} has an address of invalid base64")))?;
+    let told = if told.is_empty() { data.media_type.to_owned() } else { told };
+    Ok(Some((ImageData::Bytes(bytes.into()), told)))
+}
+
+/// Returns the media type of an encoded image by its first bytes.
+pub(super) fn media_type_from_bytes(bytes: &[u8]) -> Option<&'static str> {
+    match bytes {
+        [0x89, b'P', b'N', b'G', ..] => Some("image/png"),
+        [0xff, 0xd8, 0xff, ..] => Some("image/jpeg"),
+        [0xab, b'K', b'T', b'X', b' ', b'2', b'0', ..] => Some("image/ktx2"),
+        [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => Some("image/webp"),
+        [b'D', b'D', b'S', b' ', ..] => Some("image/vnd-ms.dds"),
+        [_, _, _, _, b'f', b't', b'y', b'p', b'a', b'v', b'i', b'f', ..] => Some("image/avif"),
+        _ => None,
+    }
+}
+
+/// Base colour of a material, and the texture of it in the file.
+struct BaseColour {
+    colour: [f32; 4],
+    texture: Option<usize>,
+}
+
+impl BaseColour {
+    fn from_json(material: Value<'_>) -> Self {
+        let metallic = material.get("pbrMetallicRoughness");
+        let specular = material.get("extensions").and_then(|all| all.get("KHR_materials_pbrSpecularGlossiness"));
+        let (object, factor, texture) = match (metallic, specular) {
+            (_, Some(object)) => (Some(object), "diffuseFactor", "diffuseTexture"),
+            (object, None) => (object, "baseColorFactor", "baseColorTexture"),
+        };
+        let linear = object.and_then(|object| object.get(factor)?.numbers::<4>()).unwrap_or([1.0; 4]);
+        let mut colour = linear.map(|part| part as f32);
+        for (part, &linear) in colour.iter_mut().zip(&linear).take(3) {
+            *part = srgb_from_linear(linear) as f32;
+        }
+        // Only the first set of texture coordinates is kept.
+        let info = object.and_then(|object| object.get(texture));
+        let is_first_set = info.and_then(|info| info.get("texCoord")).is_none_or(|set| set.whole() == Some(0));
+        let texture = info.filter(|_| is_first_set).and_then(|info| info.get("index")?.whole());
+        Self { colour, texture: texture.map(|index| index as usize) }
+    }
+}

@@ -1,0 +1,279 @@
+//! Materials, textures, samplers and images of a written file. Images are in the buffer, so that the file needs no others.
+
+use super::gltf_binary::{Binary, JsonList};
+use super::gltf_colour::linear_from_srgb;
+use super::gltf_materials_read::{IMAGE_EXTENSIONS, media_type_from_bytes};
+use super::json_tape::{Tape, Value};
+use super::json_text::{Edit, push_edited, push_numbers, push_text};
+use crate::document::Document;
+use crate::error::Loss;
+use crate::material::{ImageData, Material, NativeMaterial};
+use crate::resources::Resources;
+use std::borrow::Cow;
+use std::collections::{BTreeMap, BTreeSet, TryReserveError};
+
+/// Texture of a material that the file does not get.
+const NO_TEXTURE: u32 = u32::MAX;
+
+/// Writes the materials that faces use, in the order of their first use.
+pub(super) struct MaterialWriter<'d> {
+    document: &'d Document,
+    resources: &'d dyn Resources,
+    pub(super) materials: JsonList,
+    pub(super) textures: JsonList,
+    pub(super) images: JsonList,
+    pub(super) samplers: JsonList,
+    pub(super) extensions: BTreeSet<String>,
+    pub(super) losses: Vec<Loss>,
+    known: BTreeMap<u32, u32>,
+    known_images: BTreeMap<u32, Option<WrittenImage>>,
+    known_textures: BTreeMap<String, u32>,
+    known_samplers: BTreeMap<String, u32>,
+    /// Places in the buffer and indices of written images: equal images are written once.
+    stored: Vec<(std::ops::Range<usize>, WrittenImage)>,
+}
+
+#[derive(Clone, Copy)]
+struct WrittenImage {
+    index: u32,
+    media_type: &'static str,
+}
+
+impl<'d> MaterialWriter<'d> {
+    pub(super) fn new(document: &'d Document, resources: &'d dyn Resources) -> Self {
+        Self {
+            document,
+            resources,
+            materials: JsonList::default(),
+            textures: JsonList::default(),
+            images: JsonList::default(),
+            samplers: JsonList::default(),
+            extensions: BTreeSet::new(),
+            losses: Vec::new(),
+            known: BTreeMap::new(),
+            known_images: BTreeMap::new(),
+            known_textures: BTreeMap::new(),
+            known_samplers: BTreeMap::new(),
+            stored: Vec::new(),
+        }
+    }
+
+    /// Returns the file's index of a material of the document.
+    pub(super) fn material(&mut self, index: u32, binary: &mut Binary) -> Result<u32, TryReserveError> {
+        if let Some(&known) = self.known.get(&index) {
+            return Ok(known);
+        }
+        let material = &self.document.materials[index as usize];
+        let native = match &material.native {
+            Some(NativeMaterial::Gltf { material: text, textures }) => {
+                self.native_material(material, text, textures, binary)?
+            }
+            _ => None,
+        };
+        let text = match native {
+            Some(text) => text,
+            None => self.plain_material(material, binary)?,
+        };
+        let made = self.materials.push(&text);
+        self.known.insert(index, made);
+        Ok(made)
+    }
+
+    /// Returns the material's own JSON with textures of this file; `None` if it is not valid.
+    fn native_material(
+        &mut self,
+        material: &Material,
+        text: &str,
+        textures: &[(String, Option<u32>)],
+        binary: &mut Binary,
+    ) -> Result<Option<String>, TryReserveError> {
+        let Ok(tape) = Tape::parse(text.as_bytes()) else { return Ok(None) };
+        let root = tape.root();
+        if !root.is_object() {
+            return Ok(None);
+        }
+        // Indices in the file by indices in `textures`.
+        let mut written: BTreeMap<u64, u32> = BTreeMap::new();
+        let mut failure = None;
+        let mut made = String::new();
+        let is_whole = push_edited(&mut made, root, |parent, key, value| {
+            let is_texture = |name: Value<'_>| name.text().is_some_and(|name| name.ends_with("Texture"));
+            if parent.is_none() && key.is("name") {
+                return Edit::Drop;
+            }
+            if parent.is_some_and(|name| name.is("extensions")) {
+                self.extensions.insert(key.text().unwrap_or_default().into_owned());
+            }
+            let index = |value: Value<'_>| value.whole().unwrap_or(u64::MAX);
+            if is_texture(key) && value.get("index").is_some() {
+                let own = value.get("index").map_or(u64::MAX, index);
+                let texture = self.shown_texture(material, value, own, textures, binary);
+                match texture {
+                    Ok(NO_TEXTURE) => return Edit::Drop,
+                    Ok(texture) => _ = written.insert(own, texture),
+                    Err(error) => _ = failure.get_or_insert(error),
+                }
+            }
+            match written.get(&index(value)) {
+                Some(texture) if key.is("index") && parent.is_some_and(is_texture) => {
+                    Edit::Replace(texture.to_string())
+                }
+                _ => Edit::Keep,
+            }
+        });
+        if let Some(error) = failure {
+            return Err(error);
+        }
+        if !is_whole {
+            return Ok(None);
+        }
+        let mut named = named_object(&material.name);
+        if named.len() > 1 && made.len() > 2 {
+            named.push(',');
+        }
+        named.push_str(&made[1..]);
+        Ok(Some(named))
+    }
+
+    /// Returns the file's index of a texture that a material shows; `NO_TEXTURE` if the file does not get it.
+    fn shown_texture(
+        &mut self,
+        material: &Material,
+        info: Value<'_>,
+        index: u64,
+        textures: &[(String, Option<u32>)],
+        binary: &mut Binary,
+    ) -> Result<u32, TryReserveError> {
+        if info.get("texCoord").is_some_and(|set| set.whole() != Some(0)) {
+            let name = &material.name;
+            self.lose(&format!("a texture of material {name} that other texture coordinates show"));
+            return Ok(NO_TEXTURE);
+        }
+        let Some((sampler, image)) = textures.get(usize::try_from(index).unwrap_or(usize::MAX)) else {
+            return Ok(NO_TEXTURE);
+        };
+        let image = image.map(|image| self.image(image, binary)).transpose()?.flatten();
+        Ok(image.map_or(NO_TEXTURE, |image| self.texture(sampler, image)))
+    }
+
+    fn texture(&mut self, sampler: &str, image: WrittenImage) -> u32 {
+        let mut text = String::from("{");
+        if !sampler.is_empty() {
+            let samplers = &mut self.samplers;
+            let index = *self.known_samplers.entry(sampler.to_owned()).or_insert_with(|| samplers.push(sampler));
+            text.push_str(&format!("\"sampler\":{index},"));
+        }
+        let source = format!("\"source\":{}", image.index);
+        match IMAGE_EXTENSIONS.iter().find(|(_, media_type)| *media_type == image.media_type) {
+            Some((extension, _)) => {
+                self.extensions.insert((*extension).to_owned());
+                text.push_str(&format!("\"extensions\":{{\"{extension}\":{{{source}}}}}}}"));
+            }
+            None => text.push_str(&format!("{source}}}")),
+        }
+        let textures = &mut self.textures;
+        *self.known_textures.entry(text).or_insert_with_key(|text| textures.push(text))
+    }
+
+    /// Returns a material of a base colour and its image.
+    fn plain_material(&mut self, material: &Material, binary: &mut Binary) -> Result<String, TryReserveError> {
+        let mut text = named_object(&material.name);
+        if text.len() > 1 {
+            text.push(',');
+        }
+        let [r, g, b, opacity] = material.colour.map(f64::from);
+        let [r, g, b] = [r, g, b].map(linear_from_srgb);
+        text.push_str("\"pbrMetallicRoughness\":{\"baseColorFactor\":");
+        push_numbers(&mut text, &[r, g, b, opacity]);
+        text.push_str(",\"metallicFactor\":0");
+        if let Some(image) = material.image.map(|image| self.image(image, binary)).transpose()?.flatten() {
+            let texture = self.texture("", image);
+            text.push_str(&format!(",\"baseColorTexture\":{{\"index\":{texture}}}"));
+        }
+        text.push('}');
+        if opacity < 1.0 {
+            text.push_str(",\"alphaMode\":\"BLEND\"");
+        }
+        text.push('}');
+        if let Some(NativeMaterial::Mtl(lines)) = &material.native
+            && lines.iter().any(|line| !is_plain_line(line))
+        {
+            self.lose(&format!("all of material {} except its diffuse colour and image", material.name));
+        }
+        Ok(text)
+    }
+
+    /// Returns a written image; `None` if it does not exist or programs could not show it.
+    fn image(&mut self, index: u32, binary: &mut Binary) -> Result<Option<WrittenImage>, TryReserveError> {
+        if let Some(&known) = self.known_images.get(&index) {
+            return Ok(known);
+        }
+        let image = &self.document.images[index as usize];
+        let (bytes, name): (Cow<'_, [u8]>, _) = match &image.data {
+            ImageData::Bytes(bytes) => (Cow::Borrowed(bytes), "inside of the file"),
+            ImageData::File(name) => (Cow::Owned(self.resources.load(name).unwrap_or_default()), name.as_str()),
+        };
+        let written = match media_type_from_bytes(&bytes) {
+            Some(media_type) => Some(self.store(&image.name, &bytes, media_type, binary)?),
+            None if bytes.is_empty() => {
+                self.lose(&format!("the image {name}, which is not there"));
+                None
+            }
+            None => {
+                self.lose(&format!("the image {name}, which is neither PNG nor JPEG"));
+                None
+            }
+        };
+        self.known_images.insert(index, written);
+        Ok(written)
+    }
+
+    fn store(
+        &mut self,
+        name: &str,
+        bytes: &[u8],
+        media_type: &'static str,
+        binary: &mut Binary,
+    ) -> Result<WrittenImage, TryReserveError> {
+        if let Some((_, known)) = self.stored.iter().find(|(range, _)| binary.bytes[range.clone()] == *bytes) {
+            return Ok(*known);
+        }
+        let start = binary.bytes.len();
+        let view = binary.push_bytes(bytes)?;
+        let mut text = named_object(name);
+        if text.len() > 1 {
+            text.push(',');
+        }
+        text.push_str(&format!("\"bufferView\":{view},\"mimeType\":\"{media_type}\"}}"));
+        let made = WrittenImage { index: self.images.push(&text), media_type };
+        self.stored.push((start..start + bytes.len(), made));
+        Ok(made)
+    }
+
+    fn lose(&mut self, text: &str) {
+        let loss = Loss(crate::error::printable(text));
+        if !self.losses.contains(&loss) {
+            self.losses.push(loss);
+        }
+    }
+}
+
+/// Returns the start of an object with a name, if there is one.
+pub(super) fn named_object(name: &str) -> String {
+    let mut text = String::from("{");
+    if !name.is_empty() {
+        text.push_str("\"name\":");
+        push_text(&mut text, name);
+    }
+    text
+}
+
+/// Returns whether a line of an MTL library says nothing beyond diffuse colour, opacity and image.
+fn is_plain_line(line: &str) -> bool {
+    let mut words = line.split_ascii_whitespace();
+    match words.next() {
+        None | Some("Kd" | "d" | "newmtl") => true,
+        Some("map_Kd") => !words.next().is_some_and(|word| word.starts_with('-')),
+        Some(word) => word.starts_with('#'),
+    }
+}

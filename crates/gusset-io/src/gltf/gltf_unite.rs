@@ -1,0 +1,114 @@
+//! Split vertices: those that this library split are joined again, and others at equal positions get a common representative.
+
+use crate::budget::Budget;
+use crate::error::{Note, Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
+use crate::mesh::{Mesh, Positions, Values};
+use crate::vertex_merging::{Coordinate, VertexMerger};
+
+/// Joins vertices with their origins, which `origins` lists for each vertex. Attributes that differ go to corners.
+pub(super) fn unite_vertices(mesh: &mut Mesh, origins: &[u32], budget: &mut Budget) -> Result<(), ReadError> {
+    if origins.iter().enumerate().all(|(vertex, &origin)| vertex == origin as usize) {
+        return Ok(());
+    }
+    let normals = std::mem::take(&mut mesh.normals);
+    mesh.normals = gathered(normals, origins, &mesh.corners, budget)?;
+    let texcoords = std::mem::take(&mut mesh.texcoords);
+    mesh.texcoords = gathered(texcoords, origins, &mesh.corners, budget)?;
+    let is_kept = |vertex: usize| origins[vertex] as usize == vertex;
+    match &mut mesh.positions {
+        Positions::F32(points) => keep(points, is_kept),
+        Positions::F64(points) => keep(points, is_kept),
+    }
+    keep(&mut mesh.vertex_colours, is_kept);
+    let mut places = budget.vector::<u32>(origins.len() as u64)?;
+    let mut kept = 0;
+    for vertex in 0..origins.len() {
+        places.push(kept);
+        kept += u32::from(is_kept(vertex));
+    }
+    for vertex in &mut mesh.corners {
+        *vertex = places[origins[*vertex as usize] as usize];
+    }
+    Ok(())
+}
+
+fn keep<T>(values: &mut Vec<T>, is_kept: impl Fn(usize) -> bool) {
+    let mut place = 0;
+    values.retain(|_| {
+        place += 1;
+        is_kept(place - 1)
+    });
+}
+
+/// Returns values of the origins if all vertices agree with theirs, or else values of corners.
+fn gathered<const N: usize>(
+    values: Values<N>,
+    origins: &[u32],
+    corners: &[u32],
+    budget: &mut Budget,
+) -> Result<Values<N>, ReadError> {
+    let Values::Vertices(mut values) = values else { return Ok(values) };
+    let bits = |vertex: usize| values[vertex].map(f64::to_bits);
+    if (0..origins.len()).all(|vertex| bits(vertex) == bits(origins[vertex] as usize)) {
+        keep(&mut values, |vertex| origins[vertex] as usize == vertex);
+        return Ok(Values::Vertices(values));
+    }
+    let mut at_corners = budget.vector(corners.len() as u64)?;
+    at_corners.extend(corners.iter().map(|&vertex| values[vertex as usize]));
+    Ok(Values::Corners(at_corners))
+}
+
+/// Gives vertices at equal positions the first of them as representative. NaN equals nothing, and -0 equals 0. Merges nothing if the
+/// table of positions exceeds the budget, and says so.
+pub(super) fn merge_equal_positions(
+    mesh: &mut Mesh,
+    budget: &mut Budget,
+    notes: &mut Vec<Note>,
+) -> Result<(), ReadError> {
+    let count = mesh.positions.len() as u64;
+    if budget.take::<[u64; 6]>(count).is_err() {
+        let text = format!("a mesh of {count} vertices is not merged at equal positions, because its file is small");
+        notes.push(Note::new(Place::Whole, text));
+        return Ok(());
+    }
+    let merge = match &mesh.positions {
+        Positions::F32(points) => representatives(points)?,
+        Positions::F64(points) => representatives(points)?,
+    };
+    budget.give_back::<[u64; 6]>(count);
+    if let Some(merge) = merge {
+        budget.take::<u32>(count)?;
+        mesh.merge = merge;
+    }
+    Ok(())
+}
+
+/// Returns whether two points are equal.
+pub(super) fn has_equal_positions(points: &[[f32; 3]]) -> Result<bool, WriteError> {
+    let merge = representatives(points).map_err(|error| {
+        let is_memory = error.kind == ReadErrorKind::OutOfMemory;
+        let kind = if is_memory { WriteErrorKind::OutOfMemory } else { WriteErrorKind::Unsupported };
+        WriteError::new(kind, error.message)
+    })?;
+    Ok(merge.is_some())
+}
+
+/// Returns the first vertex at each position; `None` if all vertices differ.
+fn representatives<T: Coordinate>(points: &[[T; 3]]) -> Result<Option<Vec<u32>>, ReadError> {
+    let mut merge = Vec::new();
+    let mut merger = VertexMerger::new(points.len())?;
+    merger.extend(points, &mut merge)?;
+    if merger.len() == points.len() {
+        return Ok(None);
+    }
+    // Numbers of positions follow their first occurrence.
+    let mut firsts: Vec<u32> = Vec::new();
+    firsts.try_reserve_exact(merger.len())?;
+    for (vertex, number) in merge.iter_mut().enumerate() {
+        if *number as usize == firsts.len() {
+            firsts.push(vertex as u32);
+        }
+        *number = firsts[*number as usize];
+    }
+    Ok(Some(merge))
+}
