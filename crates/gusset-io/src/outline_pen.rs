@@ -97,11 +97,6 @@ impl OutlinePen {
         self.is_full
     }
 
-    /// Returns the number of points of all outlines.
-    pub(crate) fn point_count(&self) -> usize {
-        self.points.len()
-    }
-
     /// Begins an outline. The one before stays open.
     pub(crate) fn begin(&mut self, point: Vector) -> Result<(), ReadError> {
         self.end(false)?;
