@@ -22,6 +22,7 @@ program  = build/cli
 cli      = $(shell test -x '$(program)/gusset' && echo yes)
 archive := $(CURDIR)/build/dist/gusset-$(version)-linux-$(shell uname -m).tar.gz
 openmfx := $(abspath $(release))/libgusset_openmfx.so
+files   := $(abspath $(release))/libgusset_files.so
 libdir   = $(DESTDIR)$(LIBDIR)
 incdir   = $(DESTDIR)$(PREFIX)/include
 docdir   = $(DESTDIR)$(DOCDIR)
@@ -41,7 +42,7 @@ demo_packages  := $(host_packages) libcgal-demo
 pictures_packages := $(demo_packages) $(browser_packages) libegl1 nlohmann-json3-dev python3-venv
 figures_packages := $(host_packages)
 
-.PHONY: help build test-hosts-all wheel check-wheel wasm scans openmfx test test-units test-programs test-hosts test-rust check mutants lint lint-prose lint-rust lint-hosts exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures figures bench install install-library install-program install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build test-hosts-all wheel check-wheel wasm scans openmfx files test test-units test-programs test-hosts test-rust check mutants lint lint-prose lint-rust lint-hosts exhaustive torture complexity differential sanitize fuzz cli check-cancel demo docs pictures figures bench install install-library install-program install-data install-debug dist check-dist check-conan check-deb check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -159,6 +160,10 @@ mutants:
 openmfx:
 	$(CARGO) build -p gusset-openmfx --profile $(PROFILE) --locked $(released)
 
+# Readers and writers of files, for tests of the Python package. `make wheel` links them into the library of the package.
+files:
+	$(CARGO) build -p gusset-files --profile $(PROFILE) --locked $(released)
+
 # Runs both sides at once, because each keeps only one core busy at times.
 test:
 	@scripts/install-packages.sh $(test_packages)
@@ -167,17 +172,17 @@ test:
 # The tests have their own program and archive.
 test_folder   := $(CURDIR)/build/test
 test_program  := pack_level=1 program='$(test_folder)/cli' archive='$(test_folder)/dist/$(notdir $(archive))'
-test-hosts: openmfx build/interface.json
+test-hosts: openmfx files build/interface.json
 	@$(MAKE) --no-print-directory dist $(test_program)
-	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage) -DGUSSET_OPENMFX='$(openmfx)' -DGUSSET_ARCHIVE='$(test_folder)/dist/$(notdir $(archive))' -DGUSSET_CLI='$(test_folder)/cli'
+	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage) -DGUSSET_OPENMFX='$(openmfx)' -DGUSSET_FILES='$(files)' -DGUSSET_ARCHIVE='$(test_folder)/dist/$(notdir $(archive))' -DGUSSET_CLI='$(test_folder)/cli'
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --parallel 2
 	ctest --test-dir build/cpp --output-on-failure --no-tests=error --parallel 2 || \
 	    { echo 'FAILED. The same tests once more, to see whether they fail again:'; ctest --test-dir build/cpp --rerun-failed --output-on-failure; exit 1; }
 
 # Tests that need VTK, MPI, PyVista or Dask.
-test-hosts-all: stage build/interface.json
+test-hosts-all: stage files build/interface.json
 	@scripts/install-packages.sh $(test_packages) libopenmpi-dev libvtk9-dev openmpi-bin
-	cmake -S cpp_tests -B build/cpp-all -DGUSSET_PREFIX='$(stage)' -DGUSSET_ALL_HOSTS=ON
+	cmake -S cpp_tests -B build/cpp-all -DGUSSET_PREFIX='$(stage)' -DGUSSET_FILES='$(files)' -DGUSSET_ALL_HOSTS=ON
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp-all --parallel 2 --target all_hosts
 	ctest --test-dir build/cpp-all -R '^(vtk|tiles|python)' --output-on-failure --no-tests=error --parallel 2
 

@@ -54,6 +54,10 @@
 
 pub mod capi;
 
+// Exports `gusset_files_entry` from the shared library.
+#[cfg(feature = "files")]
+extern crate gusset_files as _;
+
 pub use glam;
 pub use gusset_attributes as attributes;
 pub use gusset_base::{Element, Error, Job, PairFault, Progress, Result, Side, error, job};

@@ -2,8 +2,8 @@
 
 use crate::memory::measured;
 use gusset_io::{
-    Curves, Document, Domain, Format, MEMORY_MULTIPLE, Mesh, NO_MATERIAL, Positions, ReadError, ReadErrorKind,
-    ReadOptions, Resources, Target, Values, WriteErrorKind, WriteOptions, read, write,
+    Document, Format, MEMORY_MULTIPLE, Mesh, Positions, ReadError, ReadErrorKind, ReadOptions, Resources, Target,
+    Values, WriteErrorKind, WriteOptions, read, write,
 };
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -16,11 +16,13 @@ pub(crate) struct Expected {
     pub(crate) least_memory: u64,
     /// Whether a file holds positions and polygons as they are.
     pub(crate) is_exact: bool,
+    /// Whether numbers in a file are rounded, so that a file that was read and written again may differ in them.
+    pub(crate) is_rounded: bool,
 }
 
 impl Expected {
     pub(crate) fn new(format: Format) -> Self {
-        Self { format, least_memory: 1 << 20, is_exact: false }
+        Self { format, least_memory: 1 << 20, is_exact: false, is_rounded: false }
     }
 }
 
@@ -68,6 +70,9 @@ pub(crate) fn check(bytes: &[u8], files: &Files, expected: Expected) {
         }
     };
     assert_valid(&document);
+    if is_empty(&document) {
+        return;
+    }
     assert!(size(&document) <= most, "{} bytes of a document of files of {sources}", size(&document));
     for text in [false, true] {
         let Some((first, beside)) = written(&document, format, files, text) else { continue };
@@ -83,8 +88,15 @@ pub(crate) fn check(bytes: &[u8], files: &Files, expected: Expected) {
         };
         let again = reread(&second, &beside, format);
         let Some((third, _)) = written(&again, format, &beside, text) else { panic!("a read file is not writable") };
-        expect_equal(&second, &third);
+        if !expected.is_rounded {
+            expect_equal(&second, &third);
+        }
     }
+}
+
+fn is_empty(document: &Document) -> bool {
+    let has_points = document.meshes.iter().any(|mesh| !mesh.positions.is_empty());
+    !has_points && document.points.positions.is_empty() && document.curves.positions.is_empty()
 }
 
 fn reread(bytes: &[u8], files: &Files, format: Format) -> Document {
@@ -125,58 +137,22 @@ fn written(document: &Document, format: Format, files: &Files, text: bool) -> Op
     Some((main, beside))
 }
 
-/// Panics if an index does not exist or a length does not agree.
+/// Panics if an index does not exist, a length does not agree, or a note has control characters.
 fn assert_valid(document: &Document) {
+    if let Err(error) = document.check() {
+        panic!("the document is invalid: {error}");
+    }
     for mesh in &document.meshes {
-        assert_valid_mesh(mesh, document.materials.len());
+        assert!((0..mesh.face_count()).all(|face| mesh.face(face).len() > 2), "a face with fewer than 3 corners");
     }
-    assert!(document.placements.iter().all(|placement| (placement.mesh as usize) < document.meshes.len()));
-    let Curves { positions, offsets, closed } = &document.curves;
-    assert_offsets(offsets, closed.len(), positions.len());
-    let points = document.points.positions.len();
-    assert!([0, points].contains(&document.points.normals.len()));
-    assert!([0, points].contains(&document.points.colours.len()));
-    let mut images = document.materials.iter().filter_map(|material| material.image);
-    assert!(images.all(|image| (image as usize) < document.images.len()));
     assert!(document.notes.iter().all(|note| !note.text.chars().any(char::is_control)));
-}
-
-fn assert_valid_mesh(mesh: &Mesh, materials: usize) {
-    let (vertices, faces) = (mesh.positions.len(), mesh.face_count());
-    assert_offsets(&mesh.face_offsets, faces, mesh.corners.len());
-    assert!((0..faces).all(|face| mesh.face(face).len() > 2));
-    assert!(mesh.corners.iter().all(|&vertex| (vertex as usize) < vertices));
-    assert!([0, vertices].contains(&mesh.merge.len()));
-    assert!(mesh.merge.iter().all(|&vertex| mesh.merge[vertex as usize] == vertex));
-    assert_values(&mesh.normals, mesh);
-    assert_values(&mesh.texcoords, mesh);
-    assert!([0, vertices].contains(&mesh.vertex_colours.len()));
-    assert!([0, faces].contains(&mesh.face_colours.len()));
-    assert!([0, faces].contains(&mesh.face_materials.len()));
-    let mut used = mesh.face_materials.iter().filter(|&&material| material != NO_MATERIAL);
-    assert!(used.all(|&material| (material as usize) < materials));
-    for property in &mesh.properties {
-        assert_eq!(property.values.len(), if property.domain == Domain::Vertices { vertices } else { faces });
-    }
-}
-
-fn assert_values<const N: usize>(values: &Values<N>, mesh: &Mesh) {
-    match values {
-        Values::Absent => {}
-        Values::Vertices(values) => assert_eq!(values.len(), mesh.positions.len()),
-        Values::Corners(values) => assert_eq!(values.len(), mesh.corners.len()),
-    }
-}
-
-fn assert_offsets(offsets: &[u32], count: usize, end: usize) {
-    assert_eq!(offsets.len(), count + 1);
-    assert!(offsets[0] == 0 && offsets.is_sorted() && offsets[count] as usize == end);
 }
 
 /// Returns the positions of the corners of all faces in the scene, as bits that are equal for equal numbers. Rounds positions if they
 /// were written with the digits of single precision.
 fn shape(document: &Document, is_single: bool) -> Vec<Vec<[u64; 3]>> {
-    let Some(mesh) = document.clone().into_joined(1 << 20).ok().and_then(|mut joined| joined.meshes.pop()) else { return Vec::new() };
+    let joined = document.clone().into_joined(1 << 20).ok();
+    let Some(mesh) = joined.and_then(|mut joined| joined.meshes.pop()) else { return Vec::new() };
     let rounded = |x: f64| if is_single { f64::from(x as f32) } else { x };
     let bits = |x: f64| if x.is_nan() { u64::MAX } else { (rounded(x) + 0.0).to_bits() };
     let corner = |vertex: &u32| mesh.positions.get(*vertex as usize).map(bits);

@@ -15,8 +15,9 @@ pub fn measured<T>(run: impl FnOnce() -> T) -> (T, u64) {
 
 #[cfg(feature = "libfuzzer")]
 mod counting {
-    use super::{LARGEST, Ordering::Relaxed, TAKEN};
+    use super::{LARGEST, TAKEN};
     use std::alloc::{GlobalAlloc, Layout, System};
+    use std::sync::atomic::Ordering::Relaxed;
 
     /// Counts the bytes of the system's allocator.
     struct Counting;

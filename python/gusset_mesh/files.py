@@ -1,254 +1,198 @@
-"""Files of meshes, curves and points: OBJ, PLY, STL, OFF, glTF, GLB, 3MF, XYZ, CSV, SVG and DXF."""
+"""Files of meshes, curves and points: OBJ, PLY, STL, OFF, glTF, GLB, 3MF, XYZ, CSV, SVG and DXF.
+
+``read`` makes a document of a file, and ``save`` makes a file of a mesh or document::
+
+    losses = gm.save("joined.ply", gm.join([gm.read("a.ply"), gm.read("b.ply")]))
+"""
 
 from __future__ import annotations
 
+import errno
 import json
 import os
-import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
-from dataclasses import dataclass, field
+import re
+import stat
+from functools import cache
 from pathlib import Path
 from typing import Any, Optional, Union
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
+from . import _library
 from ._library import ffi, lib, text
+from ._packed import packed, unpacked
 from ._plugin import Curves
 from ._records import lent
-from .errors import error
-from .mesh import Mesh, MeshLike, as_mesh
+from ._replacing import replace_files
+from .documents import NO_MATERIAL, Array, Document, FileMesh, Image, Material, Placement, Points
+from .errors import Error, error
+from .mesh import MeshLike, as_mesh
 
-__all__ = ["Document", "FileMesh", "Points", "read", "save"]
+__all__ = ["Document", "FileMesh", "Image", "Material", "NO_MATERIAL", "Placement", "Points", "read", "save"]
 
-Array = NDArray[Any]
-_TYPES = {"u8": np.dtype("u1"), "u32": np.dtype("<u4"), "f32": np.dtype("<f4"), "f64": np.dtype("<f8")}
-_TEXT, _LOSSY, _JOINED = 1, 2, 1
-
-
-@dataclass(eq=False)
-class FileMesh:
-    """A mesh of a file, with its attributes as arrays or None.
-
-    Attributes:
-        mesh: points and faces.
-        normals: (n, 3) at vertices or corners, as ``normals_at`` says. A missing row is NaN.
-        texcoords: (n, 2) at vertices or corners, as ``texcoords_at`` says.
-        vertex_colours: (n, 4), sRGB and opacity, 0 to 1.
-        face_colours: (m, 4), sRGB and opacity, 0 to 1.
-        face_materials: (m,), indices into the materials of the document; 0xFFFFFFFF: none.
-        properties: further numbers by ``(name, "vertices" or "faces")``.
-    """
-
-    mesh: Mesh
-    name: str = ""
-    normals: Optional[Array] = None
-    normals_at: str = "vertices"
-    texcoords: Optional[Array] = None
-    texcoords_at: str = "vertices"
-    vertex_colours: Optional[Array] = None
-    face_colours: Optional[Array] = None
-    face_materials: Optional[Array] = None
-    properties: dict[tuple[str, str], Array] = field(default_factory=dict)
-    #: Types of properties in a PLY file, such as ``"u8"``; ``"f64"`` by default.
-    property_kinds: dict[tuple[str, str], str] = field(default_factory=dict)
+StrPath = Union[str, "os.PathLike[str]"]
+Content = Union[Document, FileMesh, Points, Curves, MeshLike]
 
 
-@dataclass(eq=False)
-class Points:
-    """Points without faces."""
+def read(path: StrPath, *, scene: bool = False) -> Document:
+    """Reads a file, in the format of its extension. Other threads run meanwhile.
 
-    points: Array
-    normals: Optional[Array] = None
-    colours: Optional[Array] = None
-
-
-@dataclass(eq=False)
-class Document:
-    """The content of a file.
-
-    Attributes:
-        meshes: the meshes, each in its own coordinates.
-        placements: for each mesh of the scene ``(name, index into meshes, 3 x 4 matrix)``; None: each mesh once, unmoved.
-        curves: all polylines.
-        points: all points without faces.
-        materials: ``name``, ``colour``, ``image`` (an index or None), and ``native``, all that the format says.
-        images: ``name``, ``media_type``, and ``file`` or ``bytes``.
-        metres_per_unit: metres for each unit of length, or None.
-        notes: deviations from the format that the reader accepted, and content that it left out.
-    """
-
-    meshes: list[FileMesh] = field(default_factory=list)
-    placements: Optional[list[tuple[str, int, Array]]] = None
-    curves: Optional[Curves] = None
-    points: Optional[Points] = None
-    materials: list[dict[str, Any]] = field(default_factory=list)
-    images: list[dict[str, Any]] = field(default_factory=list)
-    metres_per_unit: Optional[float] = None
-    notes: list[str] = field(default_factory=list)
-
-    @property
-    def mesh(self) -> Mesh:
-        """The mesh, if there is exactly one."""
-        if len(self.meshes) != 1:
-            raise ValueError(f"the document has {len(self.meshes)} meshes")
-        return self.meshes[0].mesh
-
-
-def read(path: Union[str, "os.PathLike[str]"], *, scene: bool = False) -> Document:
-    """Reads a file, in the format of its extension.
-
-    The document has one mesh, to which all meshes of a scene are joined. With ``scene``, it has each mesh and where it is placed.
-    Files that it refers to are read from its folder only. Files that break the rules of their format are read if the meaning is clear;
-    ``notes`` of the document say so.
+    The document has one mesh, to which all meshes of the file are joined. With ``scene``, it has each mesh, and where each is placed. Arrays
+    are read-only views of one buffer. Files that the file names, such as material libraries, are read only if they are in its folder. If a file
+    breaks a rule of its format and the meaning is clear, ``notes`` of the document say so.
 
     Raises:
-        InputError: the file is not of its format, with the line or byte.
-        OSError: the file cannot be read.
+        InputError: the format is unknown, or the file is not of its format. The message has the line or byte.
+        OutOfMemory: the file needs more memory than there is.
+        OSError: the file does not exist, is not a regular file, or cannot be read.
     """
-    path = Path(path)
-    if not path.is_file():
-        raise OSError(f"{path} is not a regular file" if path.exists() else f"{path} does not exist")
-    data = path.read_bytes()
-    with _folder(path.parent) as folder:
-        made = _Result(lambda out: _table().read(path.name.encode(), ffi.from_buffer("uint8_t[]", data), len(data), folder, 0 if scene else _JOINED, out), path)
-    return _document(made)
+    path = Path(os.fsdecode(path))
+    data = _loaded(path)
+    folder = _Folder(path.parent)
+    flags = 0 if scene else lib.GUSSET_FILES_JOINED
+    made = _Parts(path, folder, lambda out: _table().read(_name(path), ffi.from_buffer("uint8_t[]", data), len(data), folder.struct, flags, out))
+    document = unpacked(made.bytes(0), made.bytes(1))
+    document.folder = path.parent
+    return document
 
 
-def save(path: Union[str, "os.PathLike[str]"], content: Union[Document, FileMesh, Curves, MeshLike], *, text: bool = False, lossy: bool = False) -> list[str]:
-    """Writes a mesh, curves or a document to a file, in the format of its extension. Returns what the format could not hold.
+def save(path: StrPath, content: Content, *, text: bool = False, lossy: bool = False) -> list[str]:
+    """Writes a mesh, curves, points or a document to a file, in the format of its extension. Other threads run meanwhile.
 
-    The old file stays until the new one is complete.
+    Returns phrases for what the format does not hold: ``["materials, which PLY files do not hold"]``. The old file stays as it was until the new
+    one is complete. The format may need files beside it, such as a material library; they are complete before it.
 
     Args:
+        path: the file. Its folder must exist.
+        content: a :class:`Document`, :class:`FileMesh` or :class:`Points`, a :class:`gusset_mesh.Curves`, or a mesh as all functions take it.
         text: writes PLY and STL files as text.
         lossy: permits single precision that moves points by more than a thousandth of the mean edge.
 
     Raises:
-        InputError: the content breaks a rule, or the format cannot hold it.
+        InputError: the format is unknown or cannot hold the content, or the content breaks a rule, such as a corner without a vertex.
+        ValueError: an array has a wrong shape.
+        OutOfMemory: the file needs more memory than there is.
         OSError: the file cannot be written.
     """
-    path = Path(path)
-    writer = _Writer()
-    described = json.dumps(writer.document(_as_document(content))).encode()
-    flags = (_TEXT if text else 0) | (_LOSSY if lossy else 0)
-    arrays = bytes(writer.arrays)
-    with _folder(path.parent) as folder:
-        made = _Result(lambda out: _table().write(path.name.encode(), described, ffi.from_buffer("uint8_t[]", arrays), len(arrays), folder, flags, out), path)
+    path = Path(os.fsdecode(path))
+    document = _as_document(content)
+    described, arrays = packed(document)
+    folder = _Folder(document.folder if document.folder is not None else path.parent)
+    flags = (lib.GUSSET_FILES_TEXT if text else 0) | (lib.GUSSET_FILES_LOSSY if lossy else 0)
+    data = ffi.from_buffer("uint8_t[]", arrays)
+    made = _Parts(path, folder, lambda out: _table().write(_name(path), described, data, len(arrays), folder.struct, flags, out))
     # Files that the main one refers to come first.
-    for which in [*range(2, made.count), 1]:
-        _replace(path if which == 1 else path.parent / made.name(which), bytes(made.bytes(which)))
-    return [str(loss) for loss in json.loads(bytes(made.bytes(0)))]
+    beside = {path.parent / _beside(path, made.name(k)): made.bytes(k) for k in range(2, made.count)}
+    replace_files({**beside, path: made.bytes(1)})
+    losses = [str(loss) for loss in json.loads(made.bytes(0).tobytes())]
+    return losses + _lost_images(document, path, beside.values())
 
 
+@cache
 def _table() -> Any:
-    plugin = lib.gusset_plugin_entry(lib.GUSSET_PLUGIN_ABI)
-    table = plugin.extension(b"files/1")
-    if not table:
-        raise NotImplementedError("this build of the library reads no files")
-    return ffi.cast("struct gusset_plugin_files *", table)
+    """The functions of gusset_files.h."""
+    for library in (lib, _library.files):
+        try:
+            table = library.gusset_files_entry(lib.GUSSET_FILES_ABI)
+        except (AttributeError, ffi.error):  # the library is absent, or was built without them
+            continue
+        if table:
+            return table
+    raise NotImplementedError("this build of the library reads no files: build it with the feature `files`")
 
 
-class _Result:
+def _name(path: Path) -> bytes:
+    """The name of a file as Unicode, from which the library takes the format, and names for the files beside it."""
+    return os.fsencode(path.name).decode("utf-8", "replace").encode("utf-8")
+
+
+def _shown(path: Path) -> str:
+    """A path for messages, which can be printed although the path is not Unicode."""
+    return str(path).encode("utf-8", "backslashreplace").decode("utf-8")
+
+
+def _loaded(path: Path) -> bytes:
+    """The bytes of a regular file. Pipes and devices are not opened, because reading them may never end."""
+    status = os.stat(path)
+    if not stat.S_ISREG(status.st_mode) and not stat.S_ISDIR(status.st_mode):
+        raise OSError(errno.EINVAL, "Not a regular file", os.fspath(path))
+    return path.read_bytes()
+
+
+def _beside(path: Path, name: str) -> str:
+    """The name of a file in the folder of another, if it is a name without folders."""
+    if Path(name).name != name:
+        raise error(-lib.GUSSET_FILES_BAD_FILE, f"{_shown(path)}: the file beside it would be {name!r}, which is not a name in its folder")
+    return name
+
+
+class _Parts:
     """Parts of a file that was read or written."""
 
-    def __init__(self, call: Any, path: Path):
-        out = ffi.new("struct gusset_files **")
-        status = call(out)
-        self.handle = ffi.gc(out[0], _table().free)
-        if status != 0:
-            raise error(status, f"{path}: {text(_table().message(self.handle))}")
-        self.count = int(_table().part_count(self.handle))
+    def __init__(self, path: Path, folder: _Folder, call: Any):
+        out = ffi.new("struct gusset_file **")
+        try:
+            status = call(out)
+        finally:
+            folder.close()
+        self._handle = ffi.gc(out[0], _table().free) if out[0] else ffi.NULL
+        if folder.raised is not None:
+            raise folder.raised
+        if status != lib.GUSSET_FILES_DONE:
+            raise _failure(status, path, text(_table().message(self._handle)))
+        self.count = int(_table().part_count(self._handle))
 
     def name(self, which: int) -> str:
-        return text(_table().part_name(self.handle, which))
+        return text(_table().part_name(self._handle, which))
 
     def bytes(self, which: int) -> Array:
+        """The bytes of a part, which live as long as the array or a view of it."""
         size = ffi.new("size_t *")
-        data = _table().part_bytes(self.handle, which, size)
-        return lent(data, (size[0],), np.uint8, self.handle)
+        data = _table().part_bytes(self._handle, which, size)
+        return lent(data, (size[0],), np.uint8, self._handle)
 
 
-@contextmanager
-def _folder(folder: Path) -> Iterator[Any]:
-    """Serves files of a folder, and of its folders, to a reader or writer."""
-    kept: list[bytes] = []
+def _failure(status: int, path: Path, message: str) -> Error:
+    # A number at the beginning is a line.
+    said = re.sub("^([0-9]+): ", r"line \1: ", message)
+    known = {lib.GUSSET_FILES_OUT_OF_MEMORY: lib.GUSSET_ERROR_OUT_OF_MEMORY, lib.GUSSET_FILES_INTERNAL: lib.GUSSET_ERROR_PANIC}
+    return error(known.get(status, -status), f"{_shown(path)}: {said}")
 
-    @ffi.callback("int32_t(void *, const char *, const uint8_t **, size_t *)", error=1)  # type: ignore[untyped-decorator]
-    def load(user: Any, name: Any, data: Any, size: Any) -> int:
-        path = (folder / text(name).replace("\\", "/")).resolve()
-        if not path.is_relative_to(folder.resolve()) or not path.is_file():
+
+class _Folder:
+    """Gives a reader or writer the files of a folder and of its folders. Names that lead out of the folder, also by a link, do not exist."""
+
+    def __init__(self, folder: Path):
+        self._folder = folder
+        self._kept = b""
+        #: An exception that is not about one file, such as KeyboardInterrupt.
+        self.raised: Optional[BaseException] = None
+        self._load: Any = ffi.callback("int32_t(void *, const char *, const uint8_t **, size_t *)", self.load, error=1, onerror=self.failed)
+        self.struct: Any = ffi.new("struct gusset_files_folder *")
+        self.struct.struct_size, self.struct.load = ffi.sizeof("struct gusset_files_folder"), self._load
+
+    def close(self) -> None:
+        """Frees the bytes of the last file, and breaks the circle through the callback."""
+        self._kept, self._load, self.struct = b"", None, None
+
+    def load(self, user: Any, name: Any, data: Any, size: Any) -> int:
+        try:
+            folder = self._folder.resolve()
+            path = (folder / text(name).replace("\\", "/")).resolve()
+            if not path.is_relative_to(folder):
+                return 1
+            self._kept = _loaded(path)
+        except (OSError, RuntimeError, ValueError):  # RuntimeError: a circle of links
             return 1
-        kept[:] = [path.read_bytes()]
-        data[0], size[0] = ffi.from_buffer("uint8_t[]", kept[0]), len(kept[0])
+        data[0], size[0] = ffi.from_buffer("uint8_t[]", self._kept), len(self._kept)
         return 0
 
-    struct = ffi.new("struct gusset_plugin_folder *")
-    struct.struct_size, struct.load = ffi.sizeof("struct gusset_plugin_folder"), load
-    yield struct
+    def failed(self, kind: Any, exception: BaseException, traceback: Any) -> int:
+        self.raised = exception
+        return 1
 
 
-def _replace(path: Path, data: bytes) -> None:
-    """Gives a file new bytes, which are complete before the old ones go."""
-    handle, name = tempfile.mkstemp(prefix=".gusset-", dir=path.parent)
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(name, path.stat().st_mode if path.exists() else 0o666 & ~mask)
-        os.replace(name, path.resolve())
-    except BaseException:
-        with suppress(OSError):
-            os.unlink(name)
-        raise
-
-
-def _document(made: _Result) -> Document:
-    described = json.loads(bytes(made.bytes(0)))
-    memory = made.bytes(1)
-
-    def array(one: Optional[dict[str, Any]]) -> Optional[Array]:
-        if one is None:
-            return None
-        dtype = _TYPES[one["type"]]
-        flat = memory[one["at"]:one["at"] + one["count"] * one["width"] * dtype.itemsize].view(dtype)
-        return flat if one["width"] == 1 else flat.reshape(-1, one["width"])
-
-    def required(one: dict[str, Any]) -> Array:
-        found = array(one)
-        assert found is not None
-        return found
-
-    def attribute(one: Optional[dict[str, Any]]) -> tuple[Optional[Array], str]:
-        return (None, "vertices") if one is None else (array(one["values"]), "corners" if one["at_corners"] else "vertices")
-
-    def mesh(one: dict[str, Any]) -> FileMesh:
-        (normals, normals_at), (texcoords, texcoords_at) = attribute(one["normals"]), attribute(one["texcoords"])
-        keys = [(each["name"], "faces" if each["at_faces"] else "vertices") for each in one["properties"]]
-        return FileMesh(
-            Mesh.from_polygons(required(one["positions"]), required(one["face_offsets"]), required(one["corners"]), merge=array(one["merge"])),
-            one["name"], normals, normals_at, texcoords, texcoords_at, array(one["vertex_colours"]), array(one["face_colours"]),
-            array(one["face_materials"]), {key: required(each["values"]) for key, each in zip(keys, one["properties"])},
-            {key: each["kind"] for key, each in zip(keys, one["properties"])},
-        )
-
-    curves, points, transforms = described["curves"], described["points"], required(described["transforms"])
-    images = [{**one, "bytes": bytes(required(one["bytes"]))} if "bytes" in one else one for one in described["images"]]
-    return Document(
-        meshes=[mesh(one) for one in described["meshes"]],
-        placements=[(one["name"], one["mesh"], transforms[k].reshape(3, 4)) for k, one in enumerate(described["placements"])],
-        curves=Curves(required(curves["positions"]), required(curves["offsets"]), required(curves["closed"])) if curves["closed"]["count"] else None,
-        points=Points(required(points["positions"]), array(points["normals"]), array(points["colours"])) if points["positions"]["count"] else None,
-        materials=described["materials"],
-        images=images,
-        metres_per_unit=described["metres_per_unit"],
-        notes=[one["text"] for one in described["notes"]],
-    )
-
-
-def _as_document(content: Any) -> Document:
+def _as_document(content: Content) -> Document:
     if isinstance(content, Document):
         return content
     if isinstance(content, Curves):
@@ -258,65 +202,9 @@ def _as_document(content: Any) -> Document:
     return Document(meshes=[content if isinstance(content, FileMesh) else FileMesh(as_mesh(content))])
 
 
-class _Writer:
-    """Describes a document, and gathers its arrays."""
-
-    def __init__(self) -> None:
-        self.arrays = bytearray()
-
-    def array(self, given: Optional[ArrayLike], kind: str, width: int = 1) -> Optional[dict[str, Any]]:
-        if given is None:
-            return None
-        values = np.ascontiguousarray(given, _TYPES[kind])
-        if width > 1 and (values.ndim != 2 or values.shape[1] != width):
-            raise ValueError(f"an array has the shape {values.shape}, not (n, {width})")
-        self.arrays += bytes(-len(self.arrays) % 8)
-        at = len(self.arrays)
-        self.arrays += values.tobytes()
-        return {"at": at, "count": len(values) if width > 1 else values.size, "type": kind, "width": width}
-
-    def points_array(self, points: Array) -> Optional[dict[str, Any]]:
-        return self.array(points, "f32" if np.asarray(points).dtype == np.float32 else "f64", 3)
-
-    def attribute(self, values: Optional[Array], at: str, width: int) -> Optional[dict[str, Any]]:
-        return None if values is None else {"at_corners": at == "corners", "values": self.array(values, "f64", width)}
-
-    def mesh(self, one: FileMesh) -> dict[str, Any]:
-        mesh = one.mesh
-        offsets = mesh.offsets if mesh.offsets is not None else np.arange(mesh.face_count + 1, dtype=np.uint32) * mesh.face_size
-        return {
-            "name": one.name,
-            "positions": self.points_array(mesh.points),
-            "face_offsets": self.array(offsets, "u32"),
-            "corners": self.array(mesh.corners, "u32"),
-            "merge": self.array(mesh.merge, "u32"),
-            "normals": self.attribute(one.normals, one.normals_at, 3),
-            "texcoords": self.attribute(one.texcoords, one.texcoords_at, 2),
-            "vertex_colours": self.array(one.vertex_colours, "f32", 4),
-            "face_colours": self.array(one.face_colours, "f32", 4),
-            "face_materials": self.array(one.face_materials, "u32"),
-            "properties": [
-                {"name": name, "at_faces": at == "faces", "kind": one.property_kinds.get((name, at), "f64"), "values": self.array(values, "f64")}
-                for (name, at), values in one.properties.items()
-            ],
-        }
-
-    def document(self, document: Document) -> dict[str, Any]:
-        made: dict[str, Any] = {
-            "meshes": [self.mesh(one) for one in document.meshes],
-            "materials": document.materials,
-            "images": [{**one, "bytes": self.array(np.frombuffer(one["bytes"], np.uint8), "u8")} if "bytes" in one else one for one in document.images],
-            "metres_per_unit": document.metres_per_unit,
-        }
-        if document.placements is not None:
-            made["placements"] = [{"name": name, "mesh": int(mesh)} for name, mesh, _ in document.placements]
-            made["transforms"] = self.array(np.array([matrix for _, _, matrix in document.placements], np.float64).reshape(-1, 12), "f64", 12)
-        if document.curves is not None:
-            curves = document.curves
-            made["curves"] = {"positions": self.points_array(curves.points), "offsets": self.array(curves.offsets, "u32"), "closed": self.array(curves.closed, "u8")}
-        if document.points is not None:
-            points = document.points
-            made["points"] = {
-                "positions": self.points_array(points.points), "normals": self.array(points.normals, "f64", 3), "colours": self.array(points.colours, "f32", 4),
-            }
-        return made
+def _lost_images(document: Document, path: Path, beside: Any) -> list[str]:
+    """Phrases for images that the written files name, but that are not in their folder."""
+    named = {image.data for image in document.images if isinstance(image.data, str) and image.data}
+    texts = [part.tobytes() for part in beside] if named else []
+    missing = sorted(name for name in named if any(name.encode("utf-8", "replace") in one for one in texts) and not (path.parent / name).exists())
+    return [f"the image {name}, which is not in the folder of the file" for name in missing]

@@ -366,8 +366,8 @@ mod tests {
     fn large_items_are_cancelled() {
         // The host cancels at its third report. An item that never ends must then end on any
         // thread.
-        struct BreakAfterSteps(Cell<u32>);
-        impl crate::Progress for BreakAfterSteps {
+        struct CancelsAfterSteps(Cell<u32>);
+        impl crate::Progress for CancelsAfterSteps {
             fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
                 self.0.set(self.0.get().saturating_sub(1));
                 if self.0.get() == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -379,9 +379,9 @@ mod tests {
             }
         };
         for threads in [1, 2, 16] {
-            let patience = BreakAfterSteps(Cell::new(3));
+            let patience = CancelsAfterSteps(Cell::new(3));
             assert_eq!(map_jobs(&Job::new(threads, &patience), "work", 0..5, endless), Err(Error::Cancelled));
-            let job = Job::new(threads, &NeverBreak);
+            let job = Job::new(threads, &NeverCancels);
             assert_eq!(map_jobs(&job, "work", 0..50, |i: usize, _: &Job<'_>| Ok(i * i)).unwrap()[7], 49);
             let fails = |i: usize, _: &Job<'_>| if i == 3 { Err(Error::Cancelled) } else { Ok(i) };
             assert_eq!(map_jobs(&job, "work", 0..50, fails), Err(Error::Cancelled));
@@ -395,7 +395,7 @@ mod tests {
     fn run_both_runs_both_and_either_stops_the_other() {
         let work = |n: u32| move |_: &Job<'_>| Ok(n);
         for threads in [1, 2, 16] {
-            let job = Job::new(threads, &NeverBreak);
+            let job = Job::new(threads, &NeverCancels);
             assert_eq!(run_both(&job, "both", work(1), work(2)), Ok((1, 2)));
             let refuse = |_: &Job<'_>| Err::<u32, _>(Error::Cancelled);
             assert_eq!(run_both(&job, "both", work(1), refuse), Err(Error::Cancelled));
@@ -416,7 +416,7 @@ mod tests {
         let fails = |_: &Job<'_>| -> Result<()> { std::panic::panic_any("of work") };
         let passed_on = |found: thread::Result<Result<((), ())>>| *found.unwrap_err().downcast::<&str>().unwrap();
         for threads in [1, 2] {
-            let job = Job::new(threads, &NeverBreak);
+            let job = Job::new(threads, &NeverCancels);
             let first =
                 std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| run_both(&job, "both", fails, endless)));
             assert_eq!(passed_on(first), "of work");
@@ -428,8 +428,8 @@ mod tests {
 
     #[test]
     fn progress_is_reported_while_this_thread_waits() {
-        struct BreakAfterSteps(Cell<u32>);
-        impl Progress for BreakAfterSteps {
+        struct CancelsAfterSteps(Cell<u32>);
+        impl Progress for CancelsAfterSteps {
             fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
                 self.0.set(self.0.get() - 1);
                 if self.0.get() == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -438,14 +438,14 @@ mod tests {
         let endless = |job: &Job<'_>| loop {
             job.step(0.0, "endless")?;
         };
-        let patience = BreakAfterSteps(Cell::new(3));
+        let patience = CancelsAfterSteps(Cell::new(3));
         let found: Result<((), ())> = run_both(&Job::new(2, &patience), "both", |_| Ok(()), endless);
         assert_eq!((found, patience.0.get()), (Err(Error::Cancelled), 0));
     }
 
-    struct NeverBreak;
+    struct NeverCancels;
 
-    impl Progress for NeverBreak {
+    impl Progress for NeverCancels {
         fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
             ControlFlow::Continue(())
         }

@@ -423,15 +423,15 @@ mod tests {
 
     #[test]
     fn a_host_can_cancel() {
-        struct BreakAfterSteps(Cell<u32>);
-        impl Progress for BreakAfterSteps {
+        struct CancelsAfterSteps(Cell<u32>);
+        impl Progress for CancelsAfterSteps {
             fn step(&self, fraction: f64, _: &'static str) -> ControlFlow<()> {
                 assert!((0.0..=1.0).contains(&fraction));
                 self.0.set(self.0.get() + 1);
                 if self.0.get() == 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             }
         }
-        let counter = BreakAfterSteps(Cell::new(0));
+        let counter = CancelsAfterSteps(Cell::new(0));
         let done =
             sort(&mut scrambled_numbers(4 * ELEMENTS_PER_REPORT as u64), u64::cmp, &Job::new(1, &counter), "sorting");
         assert_eq!((done, counter.0.get()), (Err(crate::Error::Cancelled), 5));

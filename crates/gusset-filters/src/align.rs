@@ -70,7 +70,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
 }
 
 /// The reason why the place of a piece is not trusted.
-pub(super) fn explain_reason(reason: Reason) -> &'static str {
+pub(super) fn explain_untrusted_pose(reason: Reason) -> &'static str {
     match reason {
         Reason::Trusted => "",
         Reason::NoOverlap => "it overlaps no other piece, or too little of one",
@@ -93,7 +93,7 @@ fn report(found: &Alignment) -> Report {
     for (k, piece) in found.pieces.iter().enumerate() {
         let why = match piece.reason {
             Reason::Trusted => String::from("trusted"),
-            reason => format!("not trusted: {}", explain_reason(reason)),
+            reason => format!("not trusted: {}", explain_untrusted_pose(reason)),
         };
         push_line!(text, "piece {k}: {why}");
         push_pose(&mut text, &piece.pose);

@@ -1,4 +1,4 @@
-use super::align::explain_reason;
+use super::align::explain_untrusted_pose;
 use super::data::{Input, Output};
 use super::fill_holes::OUTWARD;
 use super::filter::{Filter, FilterBody};
@@ -141,7 +141,7 @@ fn report(done: &Assembly, aligned: Option<&Alignment>) -> Report {
     for (k, piece) in aligned.iter().flat_map(|found| &found.pieces).enumerate() {
         trusted += u32::from(piece.reason == align::Reason::Trusted);
         if piece.reason != align::Reason::Trusted {
-            push_line!(text, "piece {k} may be misplaced: {}", explain_reason(piece.reason));
+            push_line!(text, "piece {k} may be misplaced: {}", explain_untrusted_pose(piece.reason));
         }
     }
     if let Some(found) = aligned {

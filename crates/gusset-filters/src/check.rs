@@ -31,7 +31,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
     let faces = mesh.faces();
     let name = |kind: usize, element: u32| match kind {
         // Edges are named by their ends, vertices and faces by their numbers.
-        0..EDGE_DEFECT_KINDS => format!("{}-{}", faces.corner(element), faces.corner(faces.next(element))),
+        0..EDGE_DEFECT_KIND_COUNT => format!("{}-{}", faces.corner(element), faces.corner(faces.next(element))),
         _ => element.to_string(),
     };
     for (kind, (noun, _, elements)) in
@@ -45,7 +45,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
 }
 
 /// The kinds of defects that are edges, the first ones.
-const EDGE_DEFECT_KINDS: usize = 3;
+const EDGE_DEFECT_KIND_COUNT: usize = 3;
 
 /// Each kind of defect: its noun, its name for programs, and its elements.
 fn defect_kinds(found: &Check) -> [(Noun, &'static str, &[u32]); 9] {

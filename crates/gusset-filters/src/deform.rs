@@ -43,12 +43,12 @@ params! {
         "The radius of a wrap; for a torus, the radius of its centre line. A wrap about the z axis with the suggested radius \
          takes the extent of the mesh along x exactly once around.",
         LENGTH_RANGE, &[1.0],
-    ).suggested(|_, extent| Some(radius_around(extent.size().x, extent.diagonal())));
+    ).suggested(|_, extent| Some(radius_of_circumference(extent.size().x, extent.diagonal())));
     minor_radius: f64 = Param::length(
         "Minor radius",
         "The radius of the tube of a torus. With the suggested radius, the extent along y goes exactly once around the tube.",
         LENGTH_RANGE, &[0.25],
-    ).suggested(|_, extent| Some(radius_around(extent.size().y, 0.25 * extent.diagonal())));
+    ).suggested(|_, extent| Some(radius_of_circumference(extent.size().y, 0.25 * extent.diagonal())));
     lean: f64 = Param::angle(
         "Lean",
         "The angle by which the generators of a cone lean towards its axis.",
@@ -61,28 +61,28 @@ type MakeField = fn(&Params, &MeshView<'_>) -> Result<Option<Box<dyn Field>>>;
 
 choices! {
     FIELDS: MakeField =
-        |values, _| box_unless_zero(values, twist(values.axis[0], values.amount, 0.0)) => "Twist",
+        |values, _| boxed_field_unless_zero(values, twist(values.axis[0], values.amount, 0.0)) => "Twist",
             "Rotates about the axis, by the amount in radians for each unit of length along it.";
-        |values, _| box_unless_zero(values, taper(values.axis[0], values.amount, 0.0)) => "Taper",
+        |values, _| boxed_field_unless_zero(values, taper(values.axis[0], values.amount, 0.0)) => "Taper",
             "Scales across the axis, by 1 plus the amount for each unit of length along it.";
         |values, mesh| {
             let lowest = lowest_coordinate(mesh, values.axis[0]);
-            box_unless_zero(values, bend(values.axis[0], values.amount, lowest, f64::INFINITY))
+            boxed_field_unless_zero(values, bend(values.axis[0], values.amount, lowest, f64::INFINITY))
         } => "Bend", "Bends the axis into an arc from the lowest vertex on. The amount is its curvature.";
-        |values, _| box_unless_zero(values, shear(values.axis[0], values.axis[1], values.amount)) => "Shear",
+        |values, _| boxed_field_unless_zero(values, shear(values.axis[0], values.axis[1], values.amount)) => "Shear",
             "Moves along the axis by the amount times the next coordinate.";
-        |values, _| box_unless_zero(values, spherify(DVec3::ZERO, values.amount.abs())) => "Spherify",
+        |values, _| boxed_field_unless_zero(values, spherify(DVec3::ZERO, values.amount.abs())) => "Spherify",
             "Projects towards the sphere about the origin whose radius is the amount.";
-        |values, _| box_field(cylinder_wrap(values.axis[0], values.radius)) => "Cylinder wrap",
+        |values, _| boxed_field(cylinder_wrap(values.axis[0], values.radius)) => "Cylinder wrap",
             "Rolls space about the axis. The next coordinate (x for the z axis) becomes the arc, and the one after it the height \
              above the cylinder.";
-        |values, _| box_field(cone_wrap(values.axis[0], values.radius, values.lean)) => "Cone wrap",
+        |values, _| boxed_field(cone_wrap(values.axis[0], values.radius, values.lean)) => "Cone wrap",
             "Rolls space into a cone about the axis. The next coordinate (x for the z axis) becomes the arc of the circle of the \
              radius, the one after it the height above the cone, and the one along the axis the length along generators.";
-        |values, _| box_field(torus_wrap(values.axis[0], values.radius, values.minor_radius)) => "Torus wrap",
+        |values, _| boxed_field(torus_wrap(values.axis[0], values.radius, values.minor_radius)) => "Torus wrap",
             "Rolls space into a torus about the axis. The next two coordinates (x and y for the z axis) become the arcs around \
              the axis and around the tube, and the one along the axis the height above the torus.";
-        |values, _| box_field(sphere_wrap(values.axis[0], values.radius)) => "Sphere wrap",
+        |values, _| boxed_field(sphere_wrap(values.axis[0], values.radius)) => "Sphere wrap",
             "Rolls space into a sphere about the axis. The next two coordinates (x and y for the z axis) become the arcs along the \
              equator and along meridians, and the one along the axis the height above the sphere.";
 }
@@ -96,11 +96,11 @@ choices! {
 }
 
 /// A field whose amount 0 is the identity, even where the field itself is undefined.
-fn box_unless_zero(values: &Params, field: Result<impl Field + 'static>) -> Result<Option<Box<dyn Field>>> {
-    if values.amount == 0.0 { Ok(None) } else { box_field(field) }
+fn boxed_field_unless_zero(values: &Params, field: Result<impl Field + 'static>) -> Result<Option<Box<dyn Field>>> {
+    if values.amount == 0.0 { Ok(None) } else { boxed_field(field) }
 }
 
-fn box_field(field: Result<impl Field + 'static>) -> Result<Option<Box<dyn Field>>> {
+fn boxed_field(field: Result<impl Field + 'static>) -> Result<Option<Box<dyn Field>>> {
     field.map(|field| Some(Box::new(field) as Box<dyn Field>))
 }
 
@@ -114,7 +114,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
 }
 
 /// The radius of a circle of the given length, or of another length if that is 0.
-fn radius_around(length: f64, otherwise: f64) -> f64 {
+fn radius_of_circumference(length: f64, otherwise: f64) -> f64 {
     if length > 0.0 { length / TAU } else { otherwise / TAU }
 }
 

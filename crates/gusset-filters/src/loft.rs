@@ -43,7 +43,7 @@ params! {
     direction: DVec3 = Param::direction(
         "Direction of the axis",
         "The direction of the axis of the angles. The direction from the first section to the last is suggested.",
-    ).suggested(from_first_to_last);
+    ).suggested(direction_from_first_to_last);
     deviation: f64 = DEVIATION;
     parts: u32 = MIN_PARTS_PER_SIDE;
     triangles: bool = TRIANGLES;
@@ -65,7 +65,7 @@ choices! {
 }
 
 /// The direction from the mean point of the first section to the mean point of the last.
-fn from_first_to_last(inputs: &[Input<'_>], extent: &Aabb) -> Option<DVec3> {
+fn direction_from_first_to_last(inputs: &[Input<'_>], extent: &Aabb) -> Option<DVec3> {
     let Some(Input::Curves(curves)) = inputs.first() else { return None };
     let middle = |ends: &[u32]| -> Option<DVec3> {
         let points = curves.points.get(ends[0] as usize..ends[1] as usize)?;

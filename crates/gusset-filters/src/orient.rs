@@ -9,7 +9,7 @@ use gusset_base::job::Job;
 use gusset_stitch::repair::orient::{Options, Oriented, Outward, orient};
 
 /// The largest number of components that the report lists.
-const MAX_LISTED: usize = 20;
+const MAX_LISTED_PIECES: usize = 20;
 
 pub(super) const FILTER: Filter = Filter {
     id: "orient",
@@ -43,10 +43,10 @@ fn report(done: &Oriented) -> Report {
         count_with_noun(done.turned.len(), FACE),
         count_with_noun(done.components, PIECE)
     );
-    for found in done.one_sided.iter().take(MAX_LISTED) {
+    for found in done.one_sided.iter().take(MAX_LISTED_PIECES) {
         push_line!(text, "the piece of face {} is one-sided (half-edge {})", found.face, found.half_edge);
     }
-    push_unlisted_count(&mut text, done.one_sided.len(), MAX_LISTED);
+    push_unlisted_count(&mut text, done.one_sided.len(), MAX_LISTED_PIECES);
     let values = [
         ("turned_faces", f64::from(done.turned_faces)),
         ("pieces", f64::from(done.components)),

@@ -41,7 +41,7 @@ choices! {
     PROJECTIONS: MakeProjection =
         |values| parallel_projection_field(values.plane, values.plane.normal) => "Normal", "Perpendicular to the plane.";
         |values| {
-            require_height("direction", values.plane.normal.dot(values.direction), 1.0)?;
+            require_nonzero_height("direction", values.plane.normal.dot(values.direction), 1.0)?;
             parallel_projection_field(values.plane, values.direction)
         } => "Direction", "Along the given direction, which is not parallel to the plane.";
         |values| central_projection_field(values.plane, values.eye) => "Lines through a point",
@@ -53,7 +53,7 @@ fn parallel_projection_field(PlaneValue { normal, distance }: PlaneValue, direct
 }
 
 fn central_projection_field(PlaneValue { normal, distance }: PlaneValue, eye: DVec3) -> Result<Box<dyn Field>> {
-    require_height("eye", normal.dot(eye) - distance, eye.length() + distance.abs())?;
+    require_nonzero_height("eye", normal.dot(eye) - distance, eye.length() + distance.abs())?;
     Ok(Box::new(perspective_projection(eye, distance * normal, normal)?))
 }
 
@@ -63,6 +63,6 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
 }
 
 /// [`Error::OptionOutOfRange`] for a height above the plane that is 0 within rounding.
-fn require_height(option: &'static str, height: f64, size: f64) -> Result<()> {
+fn require_nonzero_height(option: &'static str, height: f64, size: f64) -> Result<()> {
     Error::require(height.abs() > 64.0 * f64::EPSILON * size, option, height)
 }

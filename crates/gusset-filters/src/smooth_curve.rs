@@ -12,7 +12,7 @@ use gusset_surface::Scheme;
 use gusset_surface::line_intersection::HitSelection;
 
 /// The largest number of intersections that the report lists.
-const MAX_LISTED: usize = 1000;
+const MAX_LISTED_HITS: usize = 1000;
 
 pub(super) const FILTER: Filter = Filter {
     id: "smooth_curve",
@@ -42,7 +42,7 @@ fn run(inputs: &[Input<'_>], values: &ParamValues<Params>, job: &Job<'_>) -> Res
         })?;
         for hit in hits {
             points.add_curve([hit.point].into_iter(), false)?;
-            if points.closed.len() <= MAX_LISTED {
+            if points.closed.len() <= MAX_LISTED_HITS {
                 let touches = if hit.tangent { ", touches" } else { "" };
                 let (t, point) = (format_short(hit.at.t), format_short_point(hit.point));
                 push_line!(text, "curve {c} at {} + {t}: {point}{touches}", hit.at.segment);

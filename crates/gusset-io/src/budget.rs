@@ -14,16 +14,16 @@ pub(crate) struct Budget {
 }
 
 impl Budget {
-    /// Makes the budget of a file.
+    /// Makes the budget of a file, whose own bytes count.
     pub(crate) fn new(file_bytes: usize) -> Self {
         let source_bytes = file_bytes as u64;
-        Self { left: source_bytes.saturating_mul(MEMORY_MULTIPLE).max(MIN_BUDGET), source_bytes }
+        Self { left: allowed_bytes(source_bytes) - source_bytes.min(allowed_bytes(source_bytes)), source_bytes }
     }
 
     /// Adds a file that the first one refers to.
     pub(crate) fn add_source(&mut self, file_bytes: usize) {
         self.source_bytes = self.source_bytes.saturating_add(file_bytes as u64);
-        self.left = self.left.saturating_add((file_bytes as u64).saturating_mul(MEMORY_MULTIPLE));
+        self.left = self.left.saturating_add((file_bytes as u64).saturating_mul(MEMORY_MULTIPLE - 1));
     }
 
     /// Returns the bytes that are left.
@@ -39,8 +39,13 @@ impl Budget {
                 self.left = left;
                 Ok(())
             }
-            None => Err(self.error(bytes)),
+            None => Err(self.error()),
         }
+    }
+
+    /// Gives back memory of `count` elements that are no longer needed.
+    pub(crate) fn give_back<T>(&mut self, count: u64) {
+        self.left = self.left.saturating_add(count.saturating_mul(size_of::<T>() as u64));
     }
 
     /// Makes an empty vector with room for `count` elements.
@@ -51,13 +56,18 @@ impl Budget {
         Ok(made)
     }
 
-    fn error(&self, bytes: u64) -> ReadError {
+    fn error(&self) -> ReadError {
+        let allowed = allowed_bytes(self.source_bytes);
         ReadError::new(
             ReadErrorKind::TooLarge,
             format!(
-                "the file describes more than {MEMORY_MULTIPLE} times its size: {bytes} bytes more than its {} bytes allow",
+                "the file has {} bytes, and what it describes would take more than {allowed} bytes of memory",
                 self.source_bytes
             ),
         )
     }
+}
+
+fn allowed_bytes(source_bytes: u64) -> u64 {
+    source_bytes.saturating_mul(MEMORY_MULTIPLE).max(MIN_BUDGET)
 }

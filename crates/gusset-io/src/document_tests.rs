@@ -88,8 +88,8 @@ proptest! {
 }
 
 fn check_part(joined: &Mesh, part: usize, mesh: &Mesh, transform: usize) {
-    for place in 0..7 {
-        let (now, was) = (7 * part + place, if transform == 1 { BACKWARDS[place] } else { place });
+    for (place, &mirrored) in BACKWARDS.iter().enumerate() {
+        let (now, was) = (7 * part + place, if transform == 1 { mirrored } else { place });
         let (new_vertex, old_vertex) = (joined.corners[now], mesh.corners[was]);
         assert_eq!(new_vertex, old_vertex + 5 * part as u32);
         let [x, y, z] = mesh.positions.get(old_vertex as usize);

@@ -146,8 +146,11 @@ impl std::error::Error for WriteError {}
 
 impl From<std::io::Error> for WriteError {
     fn from(error: std::io::Error) -> Self {
-        let is_full = error.kind() == std::io::ErrorKind::OutOfMemory;
-        let kind = if is_full { WriteErrorKind::OutOfMemory } else { WriteErrorKind::Unwritable };
+        let kind = match error.kind() {
+            std::io::ErrorKind::OutOfMemory => WriteErrorKind::OutOfMemory,
+            std::io::ErrorKind::Unsupported => WriteErrorKind::Unsupported,
+            _ => WriteErrorKind::Unwritable,
+        };
         Self::new(kind, write_reason(&error))
     }
 }

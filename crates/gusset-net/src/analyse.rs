@@ -234,7 +234,7 @@ fn jacobian_determinants<T: Real>(
     let mut determinants = alloc::zeroed(planes.shape().cell_count())?;
     chunks::map_rows(&mut determinants, columns, (job, "analyse"), |i, row| {
         for (j, determinant) in row.iter_mut().enumerate() {
-            let [a, b, c, d] = planes.corners(i, j);
+            let [a, b, c, d] = planes.cell_corners(i, j);
             let size = (c - a).length() + (d - b).length();
             let (jacobian, error) = jacobian((a + b + c + d) / 4.0, size, steps);
             let [x, y, z] = [jacobian.x_axis, jacobian.y_axis, jacobian.z_axis];

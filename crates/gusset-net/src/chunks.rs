@@ -89,14 +89,15 @@ pub(crate) fn for_each_chunk_in_order<T: Real>(
 /// cancellable between blocks of rows.
 pub(crate) fn map_rows<V: Send, R: Send>(
     values: &mut [V],
-    width: usize,
+    values_per_row: usize,
     (job, stage): (&Job<'_>, &'static str),
     work: impl Fn(usize, &mut [V]) -> R + Sync,
 ) -> Result<impl Iterator<Item = R>> {
-    let lines = lines_per_block(width);
-    let blocks = par::map_cancellable(job, stage, values.chunks_mut(lines * width).enumerate(), |(block, values)| {
-        let rows = values.chunks_mut(width).enumerate();
-        rows.map(|(line, row)| work(block * lines + line, row)).collect::<Vec<R>>()
-    })?;
+    let lines = lines_per_block(values_per_row);
+    let blocks =
+        par::map_cancellable(job, stage, values.chunks_mut(lines * values_per_row).enumerate(), |(block, values)| {
+            let rows = values.chunks_mut(values_per_row).enumerate();
+            rows.map(|(line, row)| work(block * lines + line, row)).collect::<Vec<R>>()
+        })?;
     Ok(blocks.into_iter().flatten())
 }

@@ -163,7 +163,7 @@ fn error_bound<T: Real>(points: &[DVec3], tolerance: f64) -> f64 {
 
 /// Differences of nodes and their error bound, scaled so that products neither overflow nor
 /// underflow.
-fn scale_vectors<const N: usize>(vectors: [DVec3; N], error: f64) -> ([DVec3; N], f64) {
+fn scale_to_largest<const N: usize>(vectors: [DVec3; N], error: f64) -> ([DVec3; N], f64) {
     let largest = vectors.iter().fold(0.0, |largest: f64, vector| largest.max(vector.abs().max_element()));
     (vectors.map(|vector| vector / largest), error / largest)
 }
@@ -177,11 +177,11 @@ fn test_fold_at_link<T: Real>(
     margin: f64,
 ) -> FoldTestResult {
     let [p, q] = link.map(|(i, j)| planes.get(i, j));
-    let cells = cells.map(|(i, j)| planes.corners(i, j));
+    let cells = cells.map(|(i, j)| planes.cell_corners(i, j));
     let error = error_bound::<T>(cells.as_flattened(), tolerance);
     // Twice the vectors from the link to the middle of the opposite sides.
     let [u, v] = cells.map(|[a, b, c, d]| (a - p) + (b - p) + (c - q) + (d - q));
-    let ([along, u, v], error) = scale_vectors([q - p, u, v], error);
+    let ([along, u, v], error) = scale_to_largest([q - p, u, v], error);
     let [one, other] = [u, v].map(|away| along.cross(away));
     let is_wide = |area: DVec3, away: DVec3| area.length() > 2.0 * error * (along.length() + away.length());
     if !(is_wide(one, u) && is_wide(other, v)) {
@@ -200,7 +200,7 @@ fn test_crossed_sides<T: Real>(
     tolerance: f64,
     margin: f64,
 ) -> FoldTestResult {
-    let points @ [a, b, c, d] = planes.corners(i, j);
+    let points @ [a, b, c, d] = planes.cell_corners(i, j);
     let error = error_bound::<T>(&points, tolerance);
     let found =
         [test_crossing_segments([a, b], [d, c], error, margin), test_crossing_segments([a, d], [b, c], error, margin)];
@@ -216,7 +216,7 @@ fn test_crossed_sides<T: Real>(
 /// Tests two segments, p q and r s: they cross between their ends, or miss each other
 /// by less than the margin.
 fn test_crossing_segments([p, q]: [DVec3; 2], [r, s]: [DVec3; 2], error: f64, margin: f64) -> FoldTestResult {
-    let ([u, v, across], error) = scale_vectors([q - p, s - r, r - p], error);
+    let ([u, v, across], error) = scale_to_largest([q - p, s - r, r - p], error);
     let normal = u.cross(v);
     let (area, size) = (normal.length(), u.length() + v.length());
     let is_wide = area * margin > 2.0 * error * size;

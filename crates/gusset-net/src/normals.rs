@@ -69,13 +69,13 @@ fn write_normals<T: Real>(
     job: &Job<'_>,
 ) -> Result<u64> {
     job.step(0.0, STAGE)?;
-    let corners = CornerSums::new(net, planes)?;
+    let corners = CornerNormalSums::new(net, planes)?;
     let without: u64 = write_unglued_normals(&corners, out, &job.part(0.0, 0.8))?.into_iter().sum();
-    Ok(without + write_glued(&corners, out, &job.part(0.8, 1.0))?)
+    Ok(without + write_glued_normals(&corners, out, &job.part(0.8, 1.0))?)
 }
 
 /// The data for sums over the corners at a node.
-struct CornerSums<'a, T> {
+struct CornerNormalSums<'a, T> {
     planes: &'a XyzMatrices<'a, T>,
     matrices: [&'a [T]; 3],
     hidden: HiddenCells,
@@ -86,13 +86,13 @@ struct CornerSums<'a, T> {
     sign: f64,
 }
 
-impl<'a, T: Real> CornerSums<'a, T> {
+impl<'a, T: Real> CornerNormalSums<'a, T> {
     fn new(net: &'a Net<'_>, planes: &'a XyzMatrices<'_, T>) -> Result<Self> {
         let classes = NodeClasses::new(net.topology())?;
         let groups = classes.groups()?;
         let mut glued = BitSet::new(net.shape().node_count())?;
         groups.nodes().iter().for_each(|&node| glued.insert(node));
-        Ok(CornerSums {
+        Ok(CornerNormalSums {
             planes,
             matrices: planes.matrices(),
             hidden: HiddenCells::new(net)?,
@@ -114,14 +114,14 @@ impl<'a, T: Real> CornerSums<'a, T> {
 
     /// Returns the sum over the corners of the existing cells at node (i, j). If several corners of
     /// a cell belong to one vertex, the cell counts once, at the first of them.
-    fn sum_at_node(&self, i: usize, j: usize) -> VectorSum {
+    fn sum_at_node(&self, i: usize, j: usize) -> BoundedVectorSum {
         let shape = self.planes.shape();
-        let mut sum = VectorSum::default();
+        let mut sum = BoundedVectorSum::default();
         for (ci, corner_row) in [(i.wrapping_sub(1), 1), (i, 0)] {
             for (cj, corner_column) in [(j.wrapping_sub(1), 1), (j, 0)] {
                 if ci < shape.rows() - 1 && cj < shape.columns() - 1 && !self.hidden.contains(ci, cj) {
                     let corner = if corner_row == 0 { corner_column } else { 3 - corner_column };
-                    sum = sum.add(VectorSum::new(self.corner_cross_product(ci, cj, corner)));
+                    sum = sum.add(BoundedVectorSum::new(self.corner_cross_product(ci, cj, corner)));
                 }
             }
         }
@@ -148,7 +148,7 @@ impl<'a, T: Real> CornerSums<'a, T> {
     }
 
     /// Returns the unit vector along a sum, or zero if the terms cancel up to rounding.
-    fn normalise_sum(&self, sum: VectorSum) -> DVec3 {
+    fn normalise_sum(&self, sum: BoundedVectorSum) -> DVec3 {
         // Scaled first, as squares of small sums would underflow.
         let largest = sum.vector.abs().max_element();
         if largest.is_finite() && largest > 8.0 * f64::EPSILON * sum.size {
@@ -170,25 +170,25 @@ impl<'a, T: Real> CornerSums<'a, T> {
 
 /// A sum of vectors, and of their 1-norms, which bounds its rounding error.
 #[derive(Debug, Clone, Copy, Default)]
-struct VectorSum {
+struct BoundedVectorSum {
     vector: DVec3,
     size: f64,
 }
 
-impl VectorSum {
+impl BoundedVectorSum {
     fn new(vector: DVec3) -> Self {
-        VectorSum { vector, size: vector.abs().element_sum() }
+        BoundedVectorSum { vector, size: vector.abs().element_sum() }
     }
 
     fn add(self, other: Self) -> Self {
-        VectorSum { vector: self.vector + other.vector, size: self.size + other.size }
+        BoundedVectorSum { vector: self.vector + other.vector, size: self.size + other.size }
     }
 }
 
 /// Writes the normals of all nodes that are not glued; inner nodes use the fast path. Returns the
 /// number of nodes without a normal for each block.
 fn write_unglued_normals<T: Real>(
-    corners: &CornerSums<'_, T>,
+    corners: &CornerNormalSums<'_, T>,
     out: &mut XyzMatrices<'_, T>,
     job: &Job<'_>,
 ) -> Result<Vec<u64>> {
@@ -205,7 +205,7 @@ fn write_unglued_normals<T: Real>(
 }
 
 /// Writes the normals of row i.
-fn write_normals_of_row<T: Real>(corners: &CornerSums<'_, T>, i: usize, mut out: [&mut [T]; 3]) -> u64 {
+fn write_normals_of_row<T: Real>(corners: &CornerNormalSums<'_, T>, i: usize, mut out: [&mut [T]; 3]) -> u64 {
     let shape = corners.planes.shape();
     let (h, w) = (shape.rows(), shape.columns());
     let mut without = 0;
@@ -243,13 +243,17 @@ fn write_normals_of_row<T: Real>(corners: &CornerSums<'_, T>, i: usize, mut out:
 
 /// Writes the normals of glued nodes, from the sum over all nodes of each class. Returns the
 /// number of nodes without a normal.
-fn write_glued<T: Real>(corners: &CornerSums<'_, T>, out: &mut XyzMatrices<'_, T>, job: &Job<'_>) -> Result<u64> {
+fn write_glued_normals<T: Real>(
+    corners: &CornerNormalSums<'_, T>,
+    out: &mut XyzMatrices<'_, T>,
+    job: &Job<'_>,
+) -> Result<u64> {
     let (shape, groups) = (out.shape(), &corners.groups);
     let places = |k: usize| groups.get(k).iter().map(|&node| shape.place(node));
     let mut normals = alloc::zeroed(groups.len())?;
     par::map_cancellable(job, STAGE, normals.chunks_mut(CLASSES_PER_TASK).enumerate(), |(chunk, normals)| {
         for (normal, k) in normals.iter_mut().zip(CLASSES_PER_TASK * chunk..) {
-            let sum = places(k).fold(VectorSum::default(), |sum, (i, j)| sum.add(corners.sum_at_node(i, j)));
+            let sum = places(k).fold(BoundedVectorSum::default(), |sum, (i, j)| sum.add(corners.sum_at_node(i, j)));
             *normal = corners.normalise_sum(sum).to_array();
         }
     })?;

@@ -50,7 +50,8 @@ impl Net<'_> {
             starts_of_replicated_lines(self.topology(), Direction::Right, columns, replication[1], "columns")?;
         let mut topology = self.topology().replicate_rows(&row_starts)?;
         if columns > self.shape().columns() {
-            topology = topology.map_lines(Direction::Right, |topology| topology.replicate_rows(&column_starts))?;
+            topology =
+                topology.map_rows_or_columns(Direction::Right, |topology| topology.replicate_rows(&column_starts))?;
         }
         let map = Rearrangement::Selection {
             rows: &old_index_of_each_row(&row_starts)?,
@@ -107,7 +108,7 @@ impl Net<'_> {
             return self.copied();
         }
         let kept = indices_not_removed(axis.extents_along_and_across(self.shape()).0, removed)?;
-        let topology = self.topology().map_lines(axis, |topology| topology.keep_rows(&kept))?;
+        let topology = self.topology().map_rows_or_columns(axis, |topology| topology.keep_rows(&kept))?;
         let mut net = self.with_lines(axis, &kept, topology, job)?;
         let place = |i: u32| kept.partition_point(|&k| k < i) as u32;
         for bridge in self.bridges() {

@@ -3,7 +3,7 @@
 //! suspicious gluings. O(nodes), plus a sort of the findings.
 
 use super::coincidence::{are_coincident, for_each_coincident_link};
-use super::topology::star_links;
+use super::topology::links_of_star;
 use super::{Net, NodeClasses, Shape, Topology, each};
 use gusset_base::alloc;
 use gusset_base::error::{Error, Result};
@@ -102,7 +102,7 @@ fn find_loop_links(topology: &Topology, classes: &NodeClasses) -> Result<Vec<u32
         let (i, j) = shape.place(node);
         let is_loop =
             |&link: &u32| shape.is_inner(link) && !topology.is_contracted(link) && classes.has_identified_ends(link);
-        star_links(shape, i, j).into_iter().filter(is_loop).try_for_each(|link| alloc::push(&mut loops, link))
+        links_of_star(shape, i, j).into_iter().filter(is_loop).try_for_each(|link| alloc::push(&mut loops, link))
     })?;
     sort_distinct(&mut loops);
     Ok(loops)

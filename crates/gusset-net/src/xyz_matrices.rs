@@ -193,7 +193,7 @@ impl<'a, T: Real> XyzMatrices<'a, T> {
 
     /// Returns the corners of cell (i, j), in the order of [`Shape::corners`].
     #[inline]
-    pub(crate) fn corners(&self, i: usize, j: usize) -> [DVec3; 4] {
+    pub(crate) fn cell_corners(&self, i: usize, j: usize) -> [DVec3; 4] {
         corner_places(i, j).map(|(i, j)| self.get(i, j))
     }
 

@@ -37,7 +37,7 @@ pub(super) fn run_cook_action(
     instance: HostHandle,
     in_args: HostHandle,
 ) -> Result<(), OfxStatus> {
-    let time = suites.properties(in_args).get_double(PROP_TIME).unwrap_or(0.0);
+    let time = suites.property_set_of(in_args).get_double(PROP_TIME).unwrap_or(0.0);
     catch_panic(|| run_filter(effect, suites, instance, time)).map_err(|fault| match fault {
         EffectFault::Host(status) => status,
         EffectFault::Ours(Failure { status: gusset_status::GUSSET_ERROR_OUT_OF_MEMORY, .. }) => OfxStatus::MEMORY,
@@ -65,7 +65,7 @@ fn run_filter(effect: &FilterEffect, suites: &HostSuites, instance: HostHandle, 
         match HostMeshData::new(mesh, &job.part(0.0, 0.0))? {
             Some(mut mesh) => {
                 if let Some((_, first)) = read.first() {
-                    mesh.transform_to(first)?;
+                    mesh.transform_to_space_of(first)?;
                 }
                 read.push((*kind, mesh));
             }
@@ -149,28 +149,28 @@ fn read_parameter_values(
 /// Reads the values of a parameter, starting from its defaults.
 fn read_parameter(
     parameters: &HostParameters<'_>,
-    knob: &EffectParameter,
+    parameter: &EffectParameter,
     time: f64,
     values: &mut [f64],
 ) -> Result<(), OfxStatus> {
-    match knob.kind {
+    match parameter.kind {
         ParameterKind::Boolean | ParameterKind::Integer | ParameterKind::Choice => {
             let mut value = values[0] as c_int;
-            parameters.read_value(&knob.name, time, &mut value)?;
+            parameters.read_value(&parameter.name, time, &mut value)?;
             values[0] =
-                if knob.kind == ParameterKind::Boolean { f64::from(u8::from(value != 0)) } else { value.into() };
+                if parameter.kind == ParameterKind::Boolean { f64::from(u8::from(value != 0)) } else { value.into() };
         }
-        ParameterKind::Double => parameters.read_value(&knob.name, time, &mut values[0])?,
+        ParameterKind::Double => parameters.read_value(&parameter.name, time, &mut values[0])?,
         ParameterKind::Angle => {
             // The conversion of a default to degrees and back may round.
             let shown = values[0].to_degrees();
             let mut value = shown;
-            parameters.read_value(&knob.name, time, &mut value)?;
-            values[0] = if value == shown { values[0] } else { clamp_rounding(value.to_radians(), knob) };
+            parameters.read_value(&parameter.name, time, &mut value)?;
+            values[0] = if value == shown { values[0] } else { clamp_rounding(value.to_radians(), parameter) };
         }
         ParameterKind::Vector => {
             let mut vector = [values[0], values[1], values[2]];
-            parameters.read_double_3d(&knob.name, time, &mut vector)?;
+            parameters.read_double_3d(&parameter.name, time, &mut vector)?;
             values[..3].copy_from_slice(&vector);
         }
     }

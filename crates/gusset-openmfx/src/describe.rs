@@ -41,11 +41,11 @@ pub(super) fn describe_effect(
     let output = suites.define_input(descriptor, MAIN_OUTPUT)?;
     let _ = output.set_text(PROP_LABEL, 0, c"Output");
     let parameters = suites.parameters_of_effect(descriptor)?;
-    for knob in &effect.knobs {
-        define_parameter(&parameters, knob)?;
+    for parameter in &effect.knobs {
+        define_parameter(&parameters, parameter)?;
     }
     if effect.filter.has_suggestions() {
-        let properties = parameters.define(PARAM_BOOLEAN, SUIT_INPUTS_NAME)?;
+        let properties = parameters.define_parameter(PARAM_BOOLEAN, SUIT_INPUTS_NAME)?;
         let _ = properties.set_text(PROP_LABEL, 0, SUIT_INPUTS_LABEL);
         let _ = properties.set_text(PARAM_PROP_HINT, 0, SUIT_INPUTS_HINT);
         properties.set_int(PARAM_PROP_DEFAULT, 0, 1)?;
@@ -61,7 +61,7 @@ fn define_parameter(parameters: &HostParameters<'_>, knob: &'static EffectParame
         ParameterKind::Double | ParameterKind::Angle => PARAM_DOUBLE,
         ParameterKind::Vector => PARAM_DOUBLE_3D,
     };
-    let properties = parameters.define(kind, &knob.name)?;
+    let properties = parameters.define_parameter(kind, &knob.name)?;
     let _ = properties.set_text(PROP_LABEL, 0, &knob.label);
     let _ = properties.set_text(PARAM_PROP_HINT, 0, &knob.hint);
     match knob.kind {

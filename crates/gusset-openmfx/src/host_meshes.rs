@@ -41,21 +41,21 @@ impl<'a> HostMeshData<'a> {
             return Ok(None);
         }
         job.step(0.0, "reading meshes")?;
-        let places = mesh.attribute(ATTRIB_POINT, POINT_POSITION, TYPE_FLOAT)?;
+        let places = mesh.get_attribute(ATTRIB_POINT, POINT_POSITION, TYPE_FLOAT)?;
         let size = Positions::bytes_needed(places.stride, points, Scalar::F32)?;
         let bytes = input::input_bytes(places.data, size, 1, "positions")?;
         let positions = Positions::strided(bytes, places.stride, points, Scalar::F32)?;
         let sizes = match mesh.properties.get_int(MESH_CONSTANT_FACE_SIZE).and_then(|size| u32::try_from(size).ok()) {
             Some(size) if size > 0 => alloc::filled(size, faces)?,
-            _ => read_integers(&mesh.attribute(ATTRIB_FACE, FACE_SIZE, TYPE_INT)?, faces, "face sizes")?,
+            _ => read_integers(&mesh.get_attribute(ATTRIB_FACE, FACE_SIZE, TYPE_INT)?, faces, "face sizes")?,
         };
         check_face_sizes(&sizes, corners)?;
-        let corners = read_integers(&mesh.attribute(ATTRIB_CORNER, CORNER_POINT, TYPE_INT)?, corners, "corners")?;
+        let corners = read_integers(&mesh.get_attribute(ATTRIB_CORNER, CORNER_POINT, TYPE_INT)?, corners, "corners")?;
         Ok(Some(HostMeshData { positions, moved: None, corners, sizes, transform: read_transform(mesh)? }))
     }
 
     /// Transforms the mesh to the coordinate system of another one.
-    pub(super) fn transform_to(&mut self, first: &HostMeshData<'_>) -> Result<(), Error> {
+    pub(super) fn transform_to_space_of(&mut self, first: &HostMeshData<'_>) -> Result<(), Error> {
         let [here, there] = [self.transform, first.transform].map(Option::unwrap_or_default);
         if here != there {
             let map = there.inverse() * here;
@@ -199,15 +199,15 @@ fn write_arrays(
     let loose = sizes.contains(&2);
     to.properties.set_int(MESH_NO_LOOSE_EDGE, 0, c_int::from(!loose))?;
     to.properties.set_int(MESH_CONSTANT_FACE_SIZE, 0, same.map_or(-1, |&size| size as c_int))?;
-    to.allocate()?;
+    to.allocate_arrays()?;
     let positions = (0..points as u32).map(|v| bytemuck::cast(place(v).as_vec3().to_array()));
-    write_elements::<12>(&to.attribute(ATTRIB_POINT, POINT_POSITION, TYPE_FLOAT)?, positions, "positions")?;
+    write_elements::<12>(&to.get_attribute(ATTRIB_POINT, POINT_POSITION, TYPE_FLOAT)?, positions, "positions")?;
     write_elements::<4>(
-        &to.attribute(ATTRIB_CORNER, CORNER_POINT, TYPE_INT)?,
+        &to.get_attribute(ATTRIB_CORNER, CORNER_POINT, TYPE_INT)?,
         corners.iter().map(|n| n.to_ne_bytes()),
         "corners",
     )?;
-    let size_array = to.attribute(ATTRIB_FACE, FACE_SIZE, TYPE_INT)?;
+    let size_array = to.get_attribute(ATTRIB_FACE, FACE_SIZE, TYPE_INT)?;
     // If all faces have the same size, the host need not provide memory for sizes.
     if same.is_none() || !size_array.data.is_null() {
         write_elements::<4>(&size_array, sizes.iter().map(|n| n.to_ne_bytes()), "face sizes")?;

@@ -68,11 +68,11 @@ impl HostSuites {
     pub(super) fn effect_properties(&self, effect: HostHandle) -> Option<PropertySet> {
         let mut handle = ptr::null_mut();
         call!(self.meshes, get_property_set(effect, &raw mut handle)).ok()?;
-        Some(self.properties(handle))
+        Some(self.property_set_of(handle))
     }
 
     /// The properties with the given handle.
-    pub(super) fn properties(&self, handle: HostHandle) -> PropertySet {
+    pub(super) fn property_set_of(&self, handle: HostHandle) -> PropertySet {
         PropertySet { suite: self.properties, handle }
     }
 
@@ -81,7 +81,7 @@ impl HostSuites {
         // Some hosts write to both pointers without a test for NULL.
         let (mut input, mut handle) = (ptr::null_mut(), ptr::null_mut());
         call!(self.meshes, input_define(effect, name.as_ptr(), &raw mut input, &raw mut handle))?;
-        Ok(self.properties(handle))
+        Ok(self.property_set_of(handle))
     }
 
     /// The parameters of an effect.
@@ -103,7 +103,7 @@ impl HostSuites {
         let (mut handle, mut properties) = (ptr::null_mut(), ptr::null_mut());
         match call!(self.meshes, input_get_mesh(input, time, &raw mut handle, &raw mut properties)) {
             Ok(()) if handle.is_null() => Ok(None),
-            Ok(()) => Ok(Some(HostMesh { suites: self, handle, properties: self.properties(properties) })),
+            Ok(()) => Ok(Some(HostMesh { suites: self, handle, properties: self.property_set_of(properties) })),
             Err(OfxStatus::FAILED) => Ok(None),
             Err(status) => Err(status),
         }
@@ -187,10 +187,10 @@ pub(super) struct HostParameters<'a> {
 
 impl HostParameters<'_> {
     /// Defines a parameter.
-    pub(super) fn define(&self, kind: &CStr, name: &CStr) -> Result<PropertySet, OfxStatus> {
+    pub(super) fn define_parameter(&self, kind: &CStr, name: &CStr) -> Result<PropertySet, OfxStatus> {
         let mut handle = ptr::null_mut();
         call!(self.suites.parameters, define(self.set, kind.as_ptr(), name.as_ptr(), &raw mut handle))?;
-        Ok(self.suites.properties(handle))
+        Ok(self.suites.property_set_of(handle))
     }
 
     /// Reads the value of a double, or the `c_int` of an integer, choice or boolean. `value`
@@ -237,15 +237,15 @@ pub(super) struct MeshAttribute {
 
 impl HostMesh<'_> {
     /// Allocates memory for the numbers of elements in the properties.
-    pub(super) fn allocate(&self) -> Result<(), OfxStatus> {
+    pub(super) fn allocate_arrays(&self) -> Result<(), OfxStatus> {
         call!(self.suites.meshes, mesh_alloc(self.handle))
     }
 
     /// Returns an attribute of the given type.
-    pub(super) fn attribute(&self, attached: &CStr, name: &CStr, kind: &CStr) -> Result<MeshAttribute, OfxStatus> {
+    pub(super) fn get_attribute(&self, attached: &CStr, name: &CStr, kind: &CStr) -> Result<MeshAttribute, OfxStatus> {
         let mut handle = ptr::null_mut();
         call!(self.suites.meshes, mesh_get_attribute(self.handle, attached.as_ptr(), name.as_ptr(), &raw mut handle))?;
-        let properties = self.suites.properties(handle);
+        let properties = self.suites.property_set_of(handle);
         if !properties.is_text_equal(ATTRIB_TYPE, kind) {
             return Err(OfxStatus::MISSING_HOST_FEATURE);
         }

@@ -6,7 +6,7 @@
 use super::axis::{BezierWeights, GridAxis, NODES_PER_CUBIC};
 use super::cells::{CELLS_PER_BLOCK_SIDE, cell_range_of_block};
 use super::nodes::Nodes;
-use super::widen_kernel::{SumWeights, WidenKernel, widen_ranges};
+use super::widen_kernel::{SumWeights, WidenRangesKernel, widen_ranges};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -125,7 +125,12 @@ impl<const K: usize> WeightedSumSweep<'_, K> {
             let lines = std::array::from_fn(|k| &line[3 * k..3 * k + count]);
             let low = &mut ranges.low[3 * inner.start..3 * inner.end];
             let high = &mut ranges.high[3 * inner.start..3 * inner.end];
-            simd::run(WidenKernel { sums: (self.sums)(self.v.nodes_and_weights(inner.start).1), lines, low, high });
+            simd::run(WidenRangesKernel {
+                sums: (self.sums)(self.v.nodes_and_weights(inner.start).1),
+                lines,
+                low,
+                high,
+            });
         }
     }
 
@@ -136,7 +141,7 @@ impl<const K: usize> WeightedSumSweep<'_, K> {
         let packed = rows.map(|row| self.nodes.contiguous_row(row));
         if let [Some(a), Some(b), Some(c), Some(d), Some(e), Some(f)] = packed {
             let (low, high) = (&mut ranges.low[..], &mut ranges.high[..]);
-            simd::run(WidenKernel { sums, lines: [a, b, c, d, e, f], low, high });
+            simd::run(WidenRangesKernel { sums, lines: [a, b, c, d, e, f], low, high });
             return;
         }
         for j in 0..self.nodes.columns() {

@@ -7,19 +7,19 @@ use gusset_base::simd::Kernel;
 pub(super) type SumWeights<const K: usize> = [[f64; NODES_PER_CUBIC]; K];
 
 /// Widens ranges to include weighted sums of six lines, coordinate by coordinate.
-pub(super) struct WidenKernel<'a, const K: usize> {
+pub(super) struct WidenRangesKernel<'a, const K: usize> {
     pub(super) sums: SumWeights<K>,
     pub(super) lines: [&'a [f64]; NODES_PER_CUBIC],
     pub(super) low: &'a mut [f64],
     pub(super) high: &'a mut [f64],
 }
 
-impl<const K: usize> Kernel for WidenKernel<'_, K> {
+impl<const K: usize> Kernel for WidenRangesKernel<'_, K> {
     type Output = ();
 
     #[inline(always)]
     fn run(self) {
-        let WidenKernel { sums, lines, low, high } = self;
+        let WidenRangesKernel { sums, lines, low, high } = self;
         widen_ranges(&sums, lines, low, high);
     }
 }

@@ -5,7 +5,7 @@ use gusset_io::Format;
 
 /// Runs one case.
 pub(crate) fn run(bytes: &[u8]) {
-    check(bytes, &Files::default(), Expected::new(Format::Svg));
+    check(bytes, &Files::default(), Expected { is_rounded: true, ..Expected::new(Format::Svg) });
 }
 
 /// Makes drawings of all shapes, and hostile ones.

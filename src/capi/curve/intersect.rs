@@ -94,7 +94,7 @@ impl gusset_places {
     }
 
     /// Places on `curve` and on another curve.
-    pub(crate) fn from_meetings(found: &NearMisses, curve: &CurveView<'_>, job: &Job<'_>) -> Result<Self, Failure> {
+    pub(crate) fn from_near_misses(found: &NearMisses, curve: &CurveView<'_>, job: &Job<'_>) -> Result<Self, Failure> {
         let NearMisses { places, overlaps, undecided } = found;
         let at = alloc::collect(places.iter().map(|near| near.a))?;
         let ends = |part: &Overlap| [part.a[0], part.a[1], part.b[0], part.b[1]].map(gusset_place::from);
@@ -165,7 +165,7 @@ pub unsafe extern "C" fn gusset_curve_intersect_create(
         let one = view_of_curve(curve, "curve")?;
         let other = (!other.is_null()).then(|| view_of_curve(other, "other")).transpose()?;
         let found = one.meetings(other.as_ref(), within, &job.part(0.0, 0.9))?;
-        gusset_places::from_meetings(&found, &one, &job.part(0.9, 1.0))
+        gusset_places::from_near_misses(&found, &one, &job.part(0.9, 1.0))
     })
 }
 

@@ -138,12 +138,12 @@ pub unsafe extern "C" fn gusset_attributes_apply(
     guard(context, |job| {
         let given = input::read(channel, false, "channel")?;
         let origins = &handle::get_object(origins, "origins")?.0;
-        carry_over(origins, given, (inputs, input_count), (values, count, stride), job)
+        carry_over_channel(origins, given, (inputs, input_count), (values, count, stride), job)
     })
 }
 
 /// The body of [`gusset_attributes_apply`], with the caller's channel, inputs and room for values.
-pub(crate) fn carry_over(
+pub(crate) fn carry_over_channel(
     origins: &Origins,
     given: gusset_channel,
     (inputs, input_count): (*const gusset_channel_values, usize),

@@ -137,7 +137,9 @@ impl gusset_reference_task {
 
     fn search_sheet(&self, sheet: &Sheet<'_>, job: &Job<'_>) -> Result<SearchOutcome, Failure> {
         let (options, target) = (self.search_options()?, self.angle_target()?);
-        let Some(figure) = self.distance_figure()? else { return self.angle_incidence(sheet, target, &options, job) };
+        let Some(figure) = self.distance_figure()? else {
+            return self.search_angle_incidence(sheet, target, &options, job);
+        };
         let diameters = Diameters::new(sheet, &job.part(0.0, 0.5))?;
         Ok(figure_incidence(sheet, &diameters, figure, &options, &job.part(0.5, 1.0))?)
     }
@@ -152,7 +154,7 @@ impl gusset_reference_task {
         })
     }
 
-    fn angle_incidence(
+    fn search_angle_incidence(
         &self,
         sheet: &Sheet<'_>,
         target: AngleTarget,

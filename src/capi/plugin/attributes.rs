@@ -13,7 +13,7 @@ use crate::capi::context::lend;
 use crate::capi::guard::catch_panic;
 use crate::capi::host::{CallWatch, HostProgress};
 use crate::capi::input::{self, choice, lend_list};
-use crate::capi::mesh::attributes::{carry_over, gusset_channel};
+use crate::capi::mesh::attributes::{carry_over_channel, gusset_channel};
 use crate::capi::status::{self, Failure};
 use crate::job::Job;
 use std::ffi::c_void;
@@ -87,7 +87,7 @@ unsafe extern "C" fn apply_channel(
         // The layouts agree, as `channels` asserts.
         let channel = input::read(channel.cast::<gusset_channel>(), false, "channel")?;
         let inputs = (values_of_inputs.cast(), input_count as usize);
-        carry_over(origins, channel, inputs, (values, count, stride), &job)?;
+        carry_over_channel(origins, channel, inputs, (values, count, stride), &job)?;
         Ok(job.finish()?)
     });
     let fault = outcome.err();

@@ -82,7 +82,8 @@ impl Writing {
     fn write_standard(&self, document: &Document, format: Format) -> Result<Vec<Loss>, gusset_io::WriteError> {
         let mut out = BufWriter::new(io::stdout().lock());
         let mut refuse = |name: &str, _: &[u8]| {
-            Err(io::Error::other(format!("standard output cannot hold the file {name} beside it")))
+            let text = format!("standard output cannot hold the file {name} beside it");
+            Err(io::Error::new(io::ErrorKind::Unsupported, text))
         };
         let mut target = Target { main: &mut out, stem: "mesh", beside: &mut refuse, resources: &NoResources };
         let losses = gusset_io::write(document, format, &mut target, &self.options)?;

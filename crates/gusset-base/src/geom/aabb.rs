@@ -128,7 +128,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn point() -> impl Strategy<Value = DVec3> {
+    fn any_point() -> impl Strategy<Value = DVec3> {
         (-3i8..4, -3i8..4, -3i8..4).prop_map(|(x, y, z)| DVec3::new(x.into(), y.into(), z.into()))
     }
 
@@ -141,7 +141,7 @@ mod tests {
         /// Compares with brute force over all points of small boxes on a lattice.
         #[test]
         fn distances_agree_with_brute_force(
-            p in prop::collection::vec(point(), 1..4), q in prop::collection::vec(point(), 1..4), query in point(),
+            p in prop::collection::vec(any_point(), 1..4), q in prop::collection::vec(any_point(), 1..4), query in any_point(),
         ) {
             let (a, b) = (Aabb::from_points(&p), Aabb::from_points(&q));
             let (of_a, of_b) = (grid_points(&a), grid_points(&b));

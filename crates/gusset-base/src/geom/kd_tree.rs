@@ -234,10 +234,10 @@ impl KdTree<'_> {
         reach: ScaledRadius,
         visit: &mut impl FnMut(f64, u32) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
-        self.search_within(0..self.order.len(), query, reach, visit)
+        self.visit_range_within(0..self.order.len(), query, reach, visit)
     }
 
-    fn search_within(
+    fn visit_range_within(
         &self,
         range: Range<usize>,
         query: DVec3,
@@ -257,10 +257,10 @@ impl KdTree<'_> {
         let offset = self.points[self.order[middle] as usize][axis] - query[axis];
         let near = reach.scaled_length_squared(DVec3::new(offset, 0.0, 0.0)) <= reach.limit;
         if near || offset >= 0.0 {
-            self.search_within(range.start..middle, query, reach, visit)?;
+            self.visit_range_within(range.start..middle, query, reach, visit)?;
         }
         if near || offset <= 0.0 {
-            self.search_within(middle + 1..range.end, query, reach, visit)?;
+            self.visit_range_within(middle + 1..range.end, query, reach, visit)?;
         }
         ControlFlow::Continue(())
     }

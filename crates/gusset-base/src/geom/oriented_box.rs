@@ -91,7 +91,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn point() -> impl Strategy<Value = DVec3> {
+    fn any_point() -> impl Strategy<Value = DVec3> {
         (-1.0..1.0, -1.0..1.0, -1.0..1.0).prop_map(|(x, y, z)| DVec3::new(x, y, z))
     }
 
@@ -125,7 +125,7 @@ mod tests {
         /// shape.
         #[test]
         fn points_inside_are_not_beside(
-            base in point(), way in point(), width in 0u32..18, shift in 0u32..12,
+            base in any_point(), way in any_point(), width in 0u32..18, shift in 0u32..12,
             weights in prop::collection::vec((0.0..1.0, 0.0..1.0, 0usize..8), 1..9),
         ) {
             // A fan of needles far from the origin; the last has width 0.

@@ -198,13 +198,13 @@ mod tests {
     use glam::DVec2;
 
     /// Solves x^2 = 2 over an interval, from the values at the ends of its parts.
-    struct SquareRoots {
+    struct SquareRootSystem {
         found: Vec<f64>,
         given_up: Vec<[f64; 2]>,
         examined: usize,
     }
 
-    impl Subdivision<[f64; 2], 2> for SquareRoots {
+    impl Subdivision<[f64; 2], 2> for SquareRootSystem {
         type Solution = f64;
         type Split = ();
         type Stop = ();
@@ -239,8 +239,8 @@ mod tests {
         }
     }
 
-    fn square_roots(max_depth: u32, max_boxes: usize) -> (SquareRoots, Result<(), ()>) {
-        let mut problem = SquareRoots { found: Vec::new(), given_up: Vec::new(), examined: 0 };
+    fn square_roots(max_depth: u32, max_boxes: usize) -> (SquareRootSystem, Result<(), ()>) {
+        let mut problem = SquareRootSystem { found: Vec::new(), given_up: Vec::new(), examined: 0 };
         let done = subdivide(&mut problem, [-3.0, 9.0], &mut Vec::new(), SubdivisionLimits { max_depth, max_boxes });
         (problem, done)
     }

@@ -18,7 +18,7 @@ use glam::DVec3;
 
 /// A separator is too long above this multiple of the separator of a square with the same number of
 /// unknowns.
-const MAX_RELATIVE_SEPARATOR: usize = 2;
+const MAX_SEPARATOR_LENGTH_RATIO: usize = 2;
 /// Parts of at most this many unknowns are not halved.
 const MAX_LEAF_UNKNOWNS: usize = 24;
 /// Unknowns halved between two progress reports.
@@ -36,7 +36,7 @@ pub fn dissect(order: &mut [u32], points: &[DVec3], couplings: impl UnknownCoupl
 /// The couplings between unknowns. Two unknowns are coupled if a row of the equations has both.
 pub trait UnknownCouplings {
     /// Visits the rows that have an entry of an unknown.
-    fn each_row(&self, v: u32, visit: impl FnMut(usize));
+    fn for_each_row_of(&self, v: u32, visit: impl FnMut(usize));
 
     /// Returns the distance over which unknowns are coupled, in edges.
     fn coupling_reach(&self) -> usize;
@@ -73,7 +73,7 @@ impl<C: UnknownCouplings> NestedDissection<'_, C> {
         let size = Aabb::from_points(order.iter().map(|&v| self.points[v as usize])).size();
         let longest = size.max_position();
         let mut separator = self.cut_across_axis(order, longest);
-        let most = MAX_RELATIVE_SEPARATOR * self.couplings.coupling_reach();
+        let most = MAX_SEPARATOR_LENGTH_RATIO * self.couplings.coupling_reach();
         if (order.len() - separator).pow(2) > most * most * order.len() {
             let mut best = (separator, longest);
             for axis in (0..3).filter(|&axis| axis != longest && size[axis] > 0.0) {
@@ -99,7 +99,7 @@ impl<C: UnknownCouplings> NestedDissection<'_, C> {
 
         self.part += 1;
         let (stamp, part) = (&mut self.stamp, self.part);
-        order[..middle].iter().for_each(|&v| self.couplings.each_row(v, |row| stamp[row] = part));
+        order[..middle].iter().for_each(|&v| self.couplings.for_each_row_of(v, |row| stamp[row] = part));
         let mut separator = order.len();
         let mut i = middle;
         while i < separator {
@@ -123,7 +123,7 @@ mod tests {
     struct GridCouplings(usize);
 
     impl UnknownCouplings for GridCouplings {
-        fn each_row(&self, v: u32, mut visit: impl FnMut(usize)) {
+        fn for_each_row_of(&self, v: u32, mut visit: impl FnMut(usize)) {
             visit(v as usize);
         }
 

@@ -88,7 +88,7 @@ pub(super) fn factor_column_counts(below: &Buckets<(u32, f64)>, parent: &[u32], 
             i = parent[i as usize];
         }
     }
-    let mut subtrees = RowSubtrees {
+    let mut subtrees = RowSubtreeLeaves {
         latest_first: alloc::filled(0, n)?,
         latest_leaf: alloc::filled(NONE, n)?,
         ancestor: alloc::collect(0..n as u32)?,
@@ -121,7 +121,7 @@ pub(super) fn factor_column_counts(below: &Buckets<(u32, f64)>, parent: &[u32], 
 }
 
 /// The subtrees of all rows. Their columns arrive in postorder.
-struct RowSubtrees {
+struct RowSubtreeLeaves {
     /// For each row, 1 plus the largest postorder number of a first descendant among the row's
     /// columns so far; 0 before the first column.
     latest_first: Vec<u32>,
@@ -130,7 +130,7 @@ struct RowSubtrees {
     ancestor: Vec<u32>,
 }
 
-impl RowSubtrees {
+impl RowSubtreeLeaves {
     /// Adds column `j` to row `i`; `first` is the position of its first descendant. Returns `None`
     /// if the column is not a leaf of the row's subtree. Otherwise returns the least common
     /// ancestor with the previous leaf, `NONE` for the first leaf.

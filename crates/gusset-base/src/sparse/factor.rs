@@ -41,7 +41,7 @@ impl SparseSymmetric {
         let below = self.entries_below_diagonal(&job.part(0.0, 0.0))?;
         let supernodes = Supernodes::new(self, &below, &job.part(0.0, 0.1))?;
         job.step(0.1, STAGE)?;
-        let costs = FactorCosts::predict(&supernodes);
+        let costs = FactorCosts::predict_from_supernodes(&supernodes);
         let mut elimination = SupernodeElimination {
             matrix: self,
             below: &below,
@@ -91,7 +91,7 @@ struct FactorCosts {
 }
 
 impl FactorCosts {
-    fn predict(supernodes: &Supernodes) -> Self {
+    fn predict_from_supernodes(supernodes: &Supernodes) -> Self {
         let mut costs = FactorCosts { entries: 0, stack: 0, work: 0.0 };
         let mut height = 0;
         for s in 0..supernodes.len() {

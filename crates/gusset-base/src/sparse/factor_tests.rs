@@ -295,12 +295,12 @@ fn counts_and_groups_agree_with_the_pattern() {
 }
 
 /// Cancels after a number of reports, and checks that fractions never decrease.
-struct BreakAfterSteps {
+struct CancelsAfterSteps {
     left: Cell<usize>,
     fraction: Cell<f64>,
 }
 
-impl Progress for BreakAfterSteps {
+impl Progress for CancelsAfterSteps {
     fn step(&self, fraction: f64, _: &'static str) -> ControlFlow<()> {
         assert!((self.fraction.get()..=1.0).contains(&fraction), "{fraction} after {}", self.fraction.get());
         self.fraction.set(fraction);
@@ -321,7 +321,7 @@ fn progress_is_reported_regularly() {
         a.diagonal.push(column[&k]);
     }
     let run = |left: usize| {
-        let patience = BreakAfterSteps { left: Cell::new(left), fraction: Cell::new(0.0) };
+        let patience = CancelsAfterSteps { left: Cell::new(left), fraction: Cell::new(0.0) };
         let job = Job::new(1, &patience);
         let mut x = vec![DVec3::ONE; a.row_count()];
         let done = a.factor(&job.part(0.0, 0.5)).and_then(|factor| factor.solve(&mut x, &job.part(0.5, 1.0)));

@@ -19,13 +19,13 @@
 //!
 //! Source: Nadopta, introduction; the correspondences are ours.
 
-mod align;
+mod section_alignment;
 mod axis;
-mod corners;
-mod correspond;
+mod section_corners;
+mod section_nodes;
 mod frame_offset;
 mod frame_options;
-mod missing;
+mod missing_nodes;
 mod slice;
 
 pub use frame_offset::node_distances;
@@ -98,7 +98,7 @@ pub struct Frame {
 /// Time and memory of the fits; by angle, also O(columns x segments) for each section.
 pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>) -> Result<Frame> {
     if !options.missing.is_empty() {
-        let (points, filled) = missing::fill_missing(sections, options)?;
+        let (points, filled) = missing_nodes::fill_missing(sections, options)?;
         let sections = Outlines { points: Points::from(&points[..]), ..*sections };
         let mut made = frame(&sections, &FrameOptions { missing: &[], ..*options }, job)?;
         made.grid.filled = filled;
@@ -107,7 +107,7 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
     let rows = sections.check_offsets_and_constraints()?;
     let least = |closed: bool| if closed { 3 } else { 2 };
     Error::require(rows >= least(options.ring), "sections", rows as f64)?;
-    let found = correspond::compute_section_nodes(sections, options, &job.part(0.0, 0.4))?;
+    let found = section_nodes::compute_section_nodes(sections, options, &job.part(0.0, 0.4))?;
     let columns = found.columns;
     Error::require(columns >= least(sections.closed), "columns", columns as f64)?;
     let kind = PointConstraint::Corner;
@@ -136,7 +136,7 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
         min_sine: 1.0,
     };
     if sections.closed {
-        grid.max_twist = align::max_twist_between_rows(&grid.nodes, columns, options.ring);
+        grid.max_twist = section_alignment::max_twist_between_rows(&grid.nodes, columns, options.ring);
     }
     let unit = common_unit(&grid.nodes);
     let size = Aabb::from_points(grid.nodes.iter().map(|&p| p / unit)).size().max_element();

@@ -16,8 +16,8 @@
 //! Source: the complete and periodic cubic splines (de Boor, A Practical Guide to Splines, chapter
 //! IV; Bessel's end condition).
 
+use super::composite_solution::CompositeSolution;
 use super::method::power;
-use super::solution::CompositeSolution;
 use super::subcurve::{Subcurve, SubcurveOutput};
 use gusset_base::error::Result;
 use gusset_base::geom::linear::tridiagonal;
@@ -29,15 +29,15 @@ pub(super) fn append_cubic_spline(
     out: &mut SubcurveOutput<'_>,
 ) -> Result<()> {
     let (points, n) = (sub.points, sub.len());
-    solution.resize(n)?;
+    solution.reserve_for_points(n)?;
     let CompositeSolution { t: intervals, controls: derivatives, upper, across, .. } = solution;
     let alpha = sub.options.method.chord_exponent().unwrap_or(0.5);
     let (intervals, derivatives) = (&mut intervals[..n], &mut derivatives[..n]);
     for i in 0..n {
-        intervals[i] = power(points[i].distance(points[sub.next(i)]), alpha);
+        intervals[i] = power(points[i].distance(points[sub.next_index(i)]), alpha);
     }
     let intervals = &*intervals;
-    let slope = |i: usize| (points[sub.next(i)] - points[i]) / intervals[i];
+    let slope = |i: usize| (points[sub.next_index(i)] - points[i]) / intervals[i];
     // l_i, where `before` is the previous interval.
     let ratio = |i: usize, before: usize| intervals[i] / (intervals[before] + intervals[i]);
     let row = |i: usize, before: usize| {
@@ -45,7 +45,7 @@ pub(super) fn append_cubic_spline(
         [ratio, 2.0, 1.0 - ratio]
     };
     let known = |i: usize| {
-        let before = sub.previous(i);
+        let before = sub.previous_index(i);
         let ratio = ratio(i, before);
         (slope(before) * ratio + slope(i) * (1.0 - ratio)) * 3.0
     };
@@ -69,8 +69,8 @@ pub(super) fn append_cubic_spline(
     }
     out.builder.begin_at_point(points[0])?;
     for i in sub.span_indices() {
-        let (p, q, third) = (points[i], points[sub.next(i)], intervals[i] / 3.0);
-        out.push_span_segment(sub, i, &[p + derivatives[i] * third, q - derivatives[sub.next(i)] * third, q])?;
+        let (p, q, third) = (points[i], points[sub.next_index(i)], intervals[i] / 3.0);
+        out.push_span_segment(sub, i, &[p + derivatives[i] * third, q - derivatives[sub.next_index(i)] * third, q])?;
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! Residuals of an identified curve: its distances from the points, and the angles at its joints.
 
 use super::curve_builder::CurveBuilder;
-use super::nodes::OutlineNodes;
+use super::outline_nodes::OutlineNodes;
 use super::report::{PointStatus, Report};
 use crate::curve::segment;
 use glam::DVec3;

@@ -80,7 +80,7 @@ pub fn visit_sections(
     let mut steps = 0;
     let mut constraints = outlines.constraints;
     let mut reported = 0;
-    job.step(0.0, STAGE)?;
+    job.step(0.0, PROGRESS_STAGE)?;
     for k in 0..count {
         let span = outlines.point_range(k);
         let (own, rest) = constraints.split_at(constraints.partition_point(|c| (c.point as usize) < span.end));
@@ -89,7 +89,7 @@ pub fn visit_sections(
         for from in span.clone().step_by(POINTS_PER_REPORT) {
             if from - reported >= POINTS_PER_REPORT {
                 reported = from;
-                job.step(from as f64 / total as f64, STAGE)?;
+                job.step(from as f64 / total as f64, PROGRESS_STAGE)?;
             }
             let some = from..span.end.min(from + POINTS_PER_REPORT);
             if let (true, [], Some(_), Solver::Fast) = (closed, own, method.chord_exponent(), options.solver) {
@@ -102,11 +102,11 @@ pub fn visit_sections(
             }
         }
     }
-    job.step(1.0, STAGE)?;
+    job.step(1.0, PROGRESS_STAGE)?;
     Ok(steps)
 }
 
-const STAGE: &str = "finding sections";
+const PROGRESS_STAGE: &str = "finding sections";
 
 impl Sections {
     #[inline]

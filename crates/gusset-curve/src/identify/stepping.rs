@@ -18,7 +18,7 @@ use gusset_base::job::Job;
 
 /// The number of steps in a tenth of a second, if each evaluates a whole curve of some points.
 const STEPS_PER_REPORT: u64 = 1 << 11;
-const STAGE: &str = "stepping along guides";
+const PROGRESS_STAGE: &str = "stepping along guides";
 
 /// Finds the offset x from 0 on at which `deviation` is 0, and the number of steps. Returns `None`
 /// if the steps are used up. The deviation must decrease with x.
@@ -37,7 +37,7 @@ pub(super) fn step_to_zero_deviation(
     for _ in 0..options.max_steps {
         // Counts over all points, because each may take fewer.
         if steps.is_multiple_of(STEPS_PER_REPORT) {
-            job.step(0.0, STAGE)?;
+            job.step(0.0, PROGRESS_STAGE)?;
         }
         let left = deviation(x);
         if left.abs() <= tolerance {

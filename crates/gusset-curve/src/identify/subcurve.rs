@@ -32,13 +32,13 @@ impl Subcurve<'_> {
 
     /// Returns the point before `i`, cyclically.
     #[inline]
-    pub(super) fn previous(&self, i: usize) -> usize {
+    pub(super) fn previous_index(&self, i: usize) -> usize {
         if i == 0 { self.len() - 1 } else { i - 1 }
     }
 
     /// Returns the point after `i`, cyclically.
     #[inline]
-    pub(super) fn next(&self, i: usize) -> usize {
+    pub(super) fn next_index(&self, i: usize) -> usize {
         if i + 1 == self.len() { 0 } else { i + 1 }
     }
 
@@ -54,7 +54,7 @@ impl Subcurve<'_> {
 
     #[inline]
     pub(super) fn point_and_neighbours(&self, i: usize) -> [DVec3; 3] {
-        [self.points[self.previous(i)], self.points[i], self.points[self.next(i)]]
+        [self.points[self.previous_index(i)], self.points[i], self.points[self.next_index(i)]]
     }
 
     /// Returns the range of parameters on sections: from `parameter_limit` to 1 minus it.

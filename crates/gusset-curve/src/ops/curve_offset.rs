@@ -51,7 +51,7 @@ pub struct Offset {
 /// The maximum number of times that a piece is halved.
 const MAX_PIECE_HALVINGS: u32 = 16;
 const PIECES_PER_REPORT: usize = 1 << 6;
-const STAGE: &str = "offset";
+const PROGRESS_STAGE: &str = "offset";
 /// The number of places inside a piece where the deviation is measured.
 const SAMPLES_PER_PIECE: u32 = 16;
 
@@ -89,7 +89,7 @@ impl CurveView<'_> {
             fit.job = job.share(k, self.len());
             fit.offset_segment(&frame.segment_to_frame(controls))?;
         }
-        job.step(1.0, STAGE)?;
+        job.step(1.0, PROGRESS_STAGE)?;
         fit.finish(self.is_closed())
     }
 }
@@ -175,7 +175,7 @@ impl OffsetFitter<'_> {
         }
         let fitted = fitted.unwrap_or_else(|| [from.point, from.point.midpoint(to.point), to.point, to.point]);
         if self.pieces.is_multiple_of(PIECES_PER_REPORT) {
-            self.job.step(from.t, STAGE)?;
+            self.job.step(from.t, PROGRESS_STAGE)?;
         }
         let deviation = if deviation.is_finite() {
             deviation

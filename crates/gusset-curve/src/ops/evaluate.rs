@@ -11,7 +11,7 @@ use gusset_base::job::Job;
 /// Places between two progress reports.
 const PLACES_PER_REPORT: usize = 1 << 10;
 
-const STAGE: &str = "values at places";
+const PROGRESS_STAGE: &str = "values at places";
 
 impl CurveView<'_> {
     /// Returns the point at a place. O(degree), like every place below.
@@ -51,7 +51,7 @@ impl CurveView<'_> {
         Error::require(order <= MAX_DEGREE, "order", order as f64)?;
         let mut out = alloc::with_capacity(places.len().saturating_mul(order + 1))?;
         for (index, &place) in places.iter().enumerate() {
-            job.step_every(PLACES_PER_REPORT, index, places.len(), STAGE)?;
+            job.step_every(PLACES_PER_REPORT, index, places.len(), PROGRESS_STAGE)?;
             self.check_place(index, place)?;
             let mut derived = SegmentBuffer::new(self.segment(place.segment as usize));
             for _ in 0..=order {
@@ -90,7 +90,7 @@ impl CurveView<'_> {
         job: &Job<'_>,
     ) -> Result<Vec<T>> {
         alloc::try_collect(places.iter().enumerate().map(|(index, &place)| {
-            job.step_every(PLACES_PER_REPORT, index, places.len(), STAGE)?;
+            job.step_every(PLACES_PER_REPORT, index, places.len(), PROGRESS_STAGE)?;
             self.check_place(index, place)?;
             Ok(value(self.segment(place.segment as usize), place.t))
         }))

@@ -1,11 +1,11 @@
 //! Intersections of two plane curves, and self-intersections. A tree finds the pairs of segments
 //! whose boxes meet.
 
-use super::part::{SegmentPart, compare_places, do_places_coincide, sort_and_remove_duplicates};
 use super::segment_intersection::{
     MAX_COMMON_POINT_DISTANCE, MAX_SAME_PARAMETER_GAP, MAX_TOUCHING_BOX_GAP, SegmentIntersections, SharedJoints,
     advances_along_chord, intersect_segments,
 };
+use super::segment_part::{SegmentPart, compare_places, do_places_coincide, sort_and_remove_duplicates};
 use crate::curve::segment;
 use crate::curve::unit_frame::UnitFrame;
 use crate::curve::{CurveView, Place};
@@ -71,7 +71,7 @@ const MAX_SEGMENT_HALVINGS: u32 = 20;
 /// Pairs of segments between two progress reports; each pair takes up to 20 ms.
 const PAIRS_PER_REPORT: usize = 4;
 
-const STAGE: &str = "intersections";
+const PROGRESS_STAGE: &str = "intersections";
 
 impl CurveView<'_> {
     /// Returns the common points of two plane curves. Crossings are exact up to rounding, touches
@@ -175,11 +175,11 @@ impl Intersections {
         let (mut all, mut found) = (Intersections::default(), SegmentIntersections::default());
         let mut pairs = 0usize;
         for (k, piece) in ours.iter().enumerate() {
-            job.step_every(64, k, ours.len(), STAGE)?;
+            job.step_every(64, k, ours.len(), PROGRESS_STAGE)?;
             tree.overlapping(&piece.bounding_box(), MAX_TOUCHING_BOX_GAP, |i| match joined(k, i) {
                 Some(joined) => {
                     if pairs % PAIRS_PER_REPORT == PAIRS_PER_REPORT - 1 {
-                        job.step(k as f64 / ours.len() as f64, STAGE)?;
+                        job.step(k as f64 / ours.len() as f64, PROGRESS_STAGE)?;
                     }
                     pairs += 1;
                     all.add_piece_intersections(piece, &theirs[i], joined, &mut found)

@@ -1,7 +1,7 @@
 //! Bounds of the distance between two segments, and descents to its minima, for
 //! [`near_misses`](super::near_misses).
 
-use super::part::{SegmentPart, axis_separates_hulls, chord_direction};
+use super::segment_part::{SegmentPart, axis_separates_hulls, chord_direction};
 use crate::curve::segment::point_and_derivatives;
 use glam::{DVec2, DVec3};
 use gusset_base::geom::Aabb;

@@ -19,7 +19,7 @@
 
 use super::intersect::Overlap;
 use super::near_miss_bounds::{DescentEnd, are_hulls_apart, count_minima, minimise_distance};
-use super::part::{SegmentPart, compare_places, halve_one_of_pair, sort_and_remove_duplicates};
+use super::segment_part::{SegmentPart, compare_places, halve_one_of_pair, sort_and_remove_duplicates};
 use crate::curve::segment::{self, SegmentBuffer, point_and_derivatives};
 use crate::curve::unit_frame::UnitFrame;
 use crate::curve::{CurveView, Place};
@@ -62,7 +62,7 @@ pub struct NearMisses {
 const DISTANCE_ROUNDING: f64 = 1e-12;
 
 /// Parts are not halved below this length of their parameter range.
-const MIN_PART_LENGTH: f64 = 1.0 / 1024.0;
+const MIN_PART_PARAMETER_LENGTH: f64 = 1.0 / 1024.0;
 
 /// The maximum number of pairs of parts examined for two segments.
 const MAX_PART_PAIRS: usize = 20_000;
@@ -79,7 +79,7 @@ const PAIRS_PER_REPORT: usize = 4;
 
 /// Descents between two progress reports.
 const DESCENTS_PER_REPORT: usize = 256;
-const STAGE: &str = "near misses of curves";
+const PROGRESS_STAGE: &str = "near misses of curves";
 
 /// Places whose parameters differ by less count as one.
 const MAX_SAME_PARAMETER_GAP: f64 = 1e-7;
@@ -143,12 +143,12 @@ impl CurveView<'_> {
         let tree = BoxTree::new(numbers[1].iter().map(|&j| Aabb::from_points(sides[1].segment(j as usize))))?;
         let (searching, mut pairs) = (job.part(0.0, 0.8), 0usize);
         for (k, &i) in numbers[0].iter().enumerate() {
-            searching.step_every(16, k, numbers[0].len(), STAGE)?;
+            searching.step_every(16, k, numbers[0].len(), PROGRESS_STAGE)?;
             let i = i as usize;
             tree.overlapping(&Aabb::from_points(sides[0].segment(i)), within, |leaf| {
                 pairs += 1;
                 if pairs.is_multiple_of(PAIRS_PER_REPORT) {
-                    searching.step(k as f64 / numbers[0].len() as f64, STAGE)?;
+                    searching.step(k as f64 / numbers[0].len() as f64, PROGRESS_STAGE)?;
                 }
                 search.search_segment_pair([i, numbers[1][leaf] as usize])
             })?;
@@ -167,7 +167,7 @@ fn segments_with_extent(curve: &CurveView<'_>) -> Result<Vec<u32>> {
 
 /// Returns the direction in which a curve continues beyond an end of segment k; `None` if it ends
 /// there.
-fn leg_beyond(curve: &CurveView<'_>, k: usize, at_end: bool) -> Option<DVec3> {
+fn leg_beyond_segment_end(curve: &CurveView<'_>, k: usize, at_end: bool) -> Option<DVec3> {
     let (count, last) = (curve.len(), if at_end { curve.len() - 1 } else { 0 });
     if k == last && !curve.is_closed() {
         return None;
@@ -210,7 +210,7 @@ impl Subdivision<[SegmentPart; 2], 2> for NearMissPairSearch<'_, '_> {
         Ok(match count_minima(p, q) {
             Some(0) => BoxTest::Empty,
             Some(_) => BoxTest::Unique(()),
-            None => match [p, q].map(|part| part.to - part.from <= MIN_PART_LENGTH) {
+            None => match [p, q].map(|part| part.to - part.from <= MIN_PART_PARAMETER_LENGTH) {
                 [true, true] => BoxTest::Unresolved,
                 [false, true] => BoxTest::Undecided(0),
                 [true, false] => BoxTest::Undecided(1),
@@ -230,7 +230,7 @@ impl Subdivision<[SegmentPart; 2], 2> for NearMissPairSearch<'_, '_> {
         let middle = (low + high) * 0.5;
         let [x, y] = [segment::point_at(self.whole[0], middle.x), segment::point_at(self.whole[1], middle.y)];
         let half = ((high - low) * 0.5).extend(0.0);
-        let middle = (segment_offsets(self.numbers) + middle).extend(0.0);
+        let middle = (segment_indices_as_offsets(self.numbers) + middle).extend(0.0);
         alloc::push(&mut self.search.unresolved, UnresolvedBox { middle, half, residual: x.distance(y) })
     }
 
@@ -263,7 +263,10 @@ impl NearMissSearch<'_> {
         let descent = minimise_distance(whole, 0.5 * (low + high), low, high);
         let distance = descent.gap.length();
         if distance <= self.within && !self.distance_falls_beyond_box(whole, numbers, &descent, low, high) {
-            alloc::push(&mut self.minima, DistanceMinimum { at: segment_offsets(numbers) + descent.at, distance })?;
+            alloc::push(
+                &mut self.minima,
+                DistanceMinimum { at: segment_indices_as_offsets(numbers) + descent.at, distance },
+            )?;
         }
         Ok(())
     }
@@ -291,7 +294,7 @@ impl NearMissSearch<'_> {
             let at_joint = at[k] == 0.0 || at[k] == 1.0;
             let sign = if k == 0 { 1.0 } else { -1.0 };
             let goes_on = |along: DVec3| sign * gap.dot(along) < 0.0;
-            !at_joint || leg_beyond(&self.sides[k], numbers[k], at_high).is_some_and(goes_on)
+            !at_joint || leg_beyond_segment_end(&self.sides[k], numbers[k], at_high).is_some_and(goes_on)
         })
     }
 
@@ -302,7 +305,7 @@ impl NearMissSearch<'_> {
         let numbers = [0, 1].map(|k| (middle[k].max(0.0) as usize).min(self.sides[k].len() - 1));
         let whole = [0, 1].map(|k| self.sides[k].segment(numbers[k]));
         let (low, high) = (DVec2::ZERO, DVec2::ONE);
-        let descent = minimise_distance(whole, middle - segment_offsets(numbers), low, high);
+        let descent = minimise_distance(whole, middle - segment_indices_as_offsets(numbers), low, high);
         let distance = descent.gap.length();
         if self.distance_falls_beyond_box(whole, numbers, &descent, low, high) {
             return None;
@@ -314,14 +317,14 @@ impl NearMissSearch<'_> {
                 !inside || descent.gradient[k].abs() <= MAX_CONVERGED_SLOPE * size * distance
             });
         self.undecided |= !at_rest && distance <= self.within;
-        at_rest.then_some(DistanceMinimum { at: segment_offsets(numbers) + descent.at, distance })
+        at_rest.then_some(DistanceMinimum { at: segment_indices_as_offsets(numbers) + descent.at, distance })
     }
 
     /// Returns true if the distance rises by more than rounding in all directions from a minimum
     /// within the segments.
-    fn is_isolated(&self, minimum: &DistanceMinimum) -> bool {
+    fn is_isolated_minimum(&self, minimum: &DistanceMinimum) -> bool {
         let numbers = [0, 1].map(|k| (minimum.at[k] as usize).min(self.sides[k].len() - 1));
-        let at = minimum.at - segment_offsets(numbers);
+        let at = minimum.at - segment_indices_as_offsets(numbers);
         let [a, b] = [0, 1].map(|k| point_and_derivatives::<3>(self.sides[k].segment(numbers[k]), at[k]));
         let gap = a[0] - b[0];
         let (x, y) = (a[1].length_squared() + gap.dot(a[2]), b[1].length_squared() - gap.dot(b[2]));
@@ -342,10 +345,10 @@ impl NearMissSearch<'_> {
         let mut unresolved = std::mem::take(&mut self.unresolved);
         sort::stable(&mut unresolved, &|x, y| compare_places(x.middle.truncate().into(), y.middle.truncate().into()));
         let mut clusters = Vec::new();
-        let cluster_of = cluster_touching_boxes(&unresolved, &mut clusters, || job.step(0.0, STAGE))?;
+        let cluster_of = cluster_touching_boxes(&unresolved, &mut clusters, || job.step(0.0, PROGRESS_STAGE))?;
         let mut valleys = Vec::new();
         for (k, start) in unresolved.iter().enumerate() {
-            job.step_every(DESCENTS_PER_REPORT, k, unresolved.len(), STAGE)?;
+            job.step_every(DESCENTS_PER_REPORT, k, unresolved.len(), PROGRESS_STAGE)?;
             if !is_closest_of_touching_pairs(&unresolved, k) {
                 continue;
             }
@@ -354,7 +357,7 @@ impl NearMissSearch<'_> {
             {
                 let UnresolvedCluster { best, low, high } = clusters[cluster_of[k] as usize];
                 // Along a flat valley, rounding creates many minima; keep only the cluster's best.
-                if best.middle != start.middle && !self.is_isolated(&minimum) {
+                if best.middle != start.middle && !self.is_isolated_minimum(&minimum) {
                     continue;
                 }
                 let (low, high, reach) = (low.truncate(), high.truncate(), 2.0 * start.half.truncate());
@@ -409,7 +412,7 @@ fn parameter_box_corners([p, q]: &[SegmentPart; 2]) -> [DVec2; 2] {
 }
 
 /// Returns the indices of two segments, as offsets of places that are numbers.
-fn segment_offsets(numbers: [usize; 2]) -> DVec2 {
+fn segment_indices_as_offsets(numbers: [usize; 2]) -> DVec2 {
     DVec2::new(numbers[0] as f64, numbers[1] as f64)
 }
 
@@ -417,7 +420,7 @@ fn segment_offsets(numbers: [usize; 2]) -> DVec2 {
 /// are sorted by their places.
 fn is_closest_of_touching_pairs(pairs: &[UnresolvedBox], k: usize) -> bool {
     let own = &pairs[k];
-    let reach = own.half.x + MIN_PART_LENGTH;
+    let reach = own.half.x + MIN_PART_PARAMETER_LENGTH;
     let near = |other: &&UnresolvedBox| (other.middle.x - own.middle.x).abs() <= reach;
     let (mut before, mut after) = (pairs[..k].iter().rev().take_while(near), pairs[k + 1..].iter().take_while(near));
     !before.any(|other| other.residual <= own.residual && other.touches(own))

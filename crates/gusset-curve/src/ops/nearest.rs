@@ -6,7 +6,7 @@
 //! minimised. Segments whose boxes are farther than the best distance so far are skipped, so the
 //! result is the global minimum.
 
-use super::cubic;
+use super::cubic_roots;
 use crate::curve::segment::{self, DistanceSlope};
 use crate::curve::unit_frame::UnitFrame;
 use crate::curve::{CurveView, Place, check_finite};
@@ -44,9 +44,9 @@ const MAX_BOX_ROUNDING: f64 = 1e-14;
 /// A bound of the relative rounding error of distances.
 const MAX_RELATIVE_DISTANCE_ROUNDING: f64 = 1e-9;
 /// The largest coordinate of a query, in sizes of all curves, whose square does not overflow.
-const MAX_COORDINATE: f64 = 1e150;
+const MAX_QUERY_COORDINATE: f64 = 1e150;
 
-const STAGE: &str = "nearest points";
+const PROGRESS_STAGE: &str = "nearest points";
 
 impl CurveView<'_> {
     /// Finds the nearest point of the curve to each of `queries`, on the job's threads. About O(log
@@ -56,7 +56,7 @@ impl CurveView<'_> {
     /// [`Error::EmptyCurve`] (the curve lacks segments), [`Error::NotFinite`] (a query),
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn nearest(&self, queries: &[DVec3], job: &Job<'_>) -> Result<Vec<Nearest>> {
-        job.step(0.0, STAGE)?;
+        job.step(0.0, PROGRESS_STAGE)?;
         if self.is_empty() {
             return Err(Error::EmptyCurve);
         }
@@ -73,7 +73,7 @@ impl CurveView<'_> {
 /// [`Error::EmptyCurve`] (all curves lack points, and there are queries), [`Error::NotFinite`] (a
 /// query), [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn nearest_of_any(curves: &[CurveView<'_>], queries: &[DVec3], job: &Job<'_>) -> Result<Vec<(usize, Nearest)>> {
-    job.step(0.0, STAGE)?;
+    job.step(0.0, PROGRESS_STAGE)?;
     if queries.is_empty() {
         return Ok(Vec::new());
     }
@@ -97,7 +97,7 @@ fn answer_queries_in_batches<A: Send>(
     for some in queries.chunks(QUERIES_PER_BATCH * 64) {
         let (done, count) = (found.len() as f64, queries.len() as f64);
         let part = job.part(done / count, (done + some.len() as f64) / count);
-        let batches = par::map_jobs(&part, STAGE, some.chunks(at_once), |batch, job| {
+        let batches = par::map_jobs(&part, PROGRESS_STAGE, some.chunks(at_once), |batch, job| {
             alloc::try_collect::<_, Error>(batch.iter().map(|&q| answer(q, job)))
         })?;
         batches.into_iter().for_each(|batch| found.extend(batch));
@@ -158,7 +158,7 @@ impl<'a> CurveSearch<'a> {
         self.tree.visit_nearest(q, best.1, &mut |k| {
             looked += 1;
             if looked.is_multiple_of(SEGMENTS_PER_REPORT) {
-                heard = job.step(0.0, STAGE);
+                heard = job.step(0.0, PROGRESS_STAGE);
                 if heard.is_err() {
                     // A distance of 0 cannot be improved, so the search ends.
                     return 0.0;
@@ -188,7 +188,7 @@ impl<'a> CurveSetSearch<'a> {
         let total: usize = curves.iter().map(|curve| curve.points().len()).sum();
         let (mut searches, mut done) = (alloc::with_capacity(curves.len())?, 0);
         for (c, curve) in curves.iter().enumerate().filter(|(_, curve)| !curve.points().is_empty()) {
-            job.step(done as f64 / total as f64, STAGE)?;
+            job.step(done as f64 / total as f64, PROGRESS_STAGE)?;
             done += curve.points().len();
             searches.push((c, CurveSearch::new(curve)?));
         }
@@ -207,7 +207,8 @@ impl<'a> CurveSetSearch<'a> {
     fn nearest(&self, q: DVec3, job: &Job<'_>) -> Result<(usize, Nearest)> {
         // For queries so distant that squares overflow, the boxes are useless and every curve is
         // searched.
-        let local = self.frame.point_to_frame(q).clamp(DVec3::splat(-MAX_COORDINATE), DVec3::splat(MAX_COORDINATE));
+        let local =
+            self.frame.point_to_frame(q).clamp(DVec3::splat(-MAX_QUERY_COORDINATE), DVec3::splat(MAX_QUERY_COORDINATE));
         let (mut best, mut heard) = (None::<(usize, Nearest)>, Ok(()));
         self.tree.visit_nearest(local, f64::INFINITY, &mut |k| {
             let (curve, search) = &self.searches[k];
@@ -282,7 +283,8 @@ impl NearestOnSegment<'_> {
                 // C - q = w t^2 + 2 u t + r, and half of its product with its derivative is this
                 // cubic.
                 let (r, u, w) = (a - self.q, b - a, (c - b) - (b - a));
-                let cubic = cubic::real_cubic_roots(w.dot(w), 3.0 * u.dot(w), 2.0 * u.dot(u) + r.dot(w), r.dot(u));
+                let cubic =
+                    cubic_roots::real_cubic_roots(w.dot(w), 3.0 * u.dot(w), 2.0 * u.dot(u) + r.dot(w), r.dot(u));
                 if let Some((found, count)) = cubic {
                     found[..count].iter().filter(|t| (0.0..=1.0).contains(*t)).for_each(|&t| self.offer_parameter(t));
                     return;

@@ -12,7 +12,7 @@ use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 
 const POINTS_PER_REPORT: usize = 1 << 8;
-const STAGE: &str = "points along a curve";
+const PROGRESS_STAGE: &str = "points along a curve";
 
 /// The spacing of points along a curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -96,7 +96,7 @@ impl<'a> PointCollector<'a> {
     fn add_place(&mut self, place: Place) -> Result<()> {
         let count = self.samples.places.len();
         if count.is_multiple_of(POINTS_PER_REPORT) {
-            self.job.step(place.global_parameter() / self.curve.len() as f64, STAGE)?;
+            self.job.step(place.global_parameter() / self.curve.len() as f64, PROGRESS_STAGE)?;
         }
         check_point_count(count as u64 + 1)?;
         alloc::push(&mut self.samples.places, place)?;

@@ -9,9 +9,9 @@
 //!   of legs of each, so its cross product with itself would not be 0. Newton's method then finds
 //!   the crossing; otherwise the halving continues.
 //! - It is so short and straight that all its points are within [`MAX_COMMON_POINT_DISTANCE`] of
-//!   the other part unless the hulls are separated. The parts then touch, or cross at an angle below
-//!   rounding, and the search looks for that place. Shortness alone would not suffice: beside a
-//!   long segment a whole curve is short.
+//!   the other part unless the hulls are separated. The parts then touch, or cross at an angle
+//!   below rounding, and the search looks for that place. Shortness alone would not suffice: beside
+//!   a long segment a whole curve is short.
 //!
 //! Overlapping segments would be halved forever and are detected beforehand. Polynomial segments of
 //! degrees n and m with more than n m common points lie on the same curve (Bézout). The common part
@@ -21,7 +21,7 @@
 //! Cost: at most [`MAX_PART_PAIRS_TIMES_DEGREES`] pairs of parts, O(degree^2) each.
 
 use super::nearest::nearest_on_segment;
-use super::part::{SegmentPart, axis_separates_hulls, chord_direction, halve_one_of_pair};
+use super::segment_part::{SegmentPart, axis_separates_hulls, chord_direction, halve_one_of_pair};
 use crate::curve::segment::{self, SegmentBuffer, point_and_derivatives};
 use glam::DVec3;
 use gusset_base::alloc;

@@ -9,7 +9,7 @@ use gusset_base::job::Job;
 /// Segments between two progress reports.
 const SEGMENTS_PER_REPORT: usize = 1 << 12;
 
-const STAGE: &str = "part of a curve";
+const PROGRESS_STAGE: &str = "part of a curve";
 
 impl CurveView<'_> {
     /// Splits the curve at a place. Both parts are open. A part without extent has one control
@@ -48,7 +48,7 @@ impl CurveView<'_> {
         let mut curve: Option<Curve> = None;
         let count = (to.segment - from.segment) as usize + 1;
         for k in from.segment..=to.segment {
-            job.step_every(SEGMENTS_PER_REPORT, (k - from.segment) as usize, count, STAGE)?;
+            job.step_every(SEGMENTS_PER_REPORT, (k - from.segment) as usize, count, PROGRESS_STAGE)?;
             let a = if k == from.segment { from.t } else { 0.0 };
             let b = if k == to.segment { to.t } else { 1.0 };
             if a >= b {

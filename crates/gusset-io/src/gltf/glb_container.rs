@@ -1,6 +1,7 @@
 //! The container of binary glTF: a header of 12 bytes, and chunks of JSON text and of numbers.
 
 use crate::error::{Note, Place, ReadError};
+use crate::foreign_files::refuse_foreign_file;
 use crate::text::Scanner;
 
 /// JSON text and binary chunk of a file.
@@ -60,14 +61,13 @@ fn text_part(bytes: &[u8]) -> Result<&[u8], ReadError> {
     if first == Some(&b'{') {
         return Ok(text);
     }
+    if let Some(error) = refuse_foreign_file(bytes) {
+        return Err(error);
+    }
     let message = match bytes {
         [] => "the file is empty",
-        [0x1f, 0x8b, ..] => "this file is compressed with gzip; decompress it with gunzip",
-        [b'P', b'K', ..] => "this is a ZIP archive; unpack it with unzip",
         [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => "the text is UTF-16; convert it to UTF-8 with iconv",
-        [b'd' | b'D', b'R' | b'r', b'A' | b'a', b'C' | b'c', b'O' | b'o', ..] => {
-            "this is a Draco file; decode it with draco_decoder"
-        }
+        [b'D', b'R', b'A', b'C', b'O', ..] => "this is a Draco file; decode it with draco_decoder",
         _ => "this is neither a glTF file, which begins with {, nor a binary one, which begins with glTF",
     };
     Err(ReadError::malformed(Place::Whole, message))

@@ -151,6 +151,7 @@ impl<'a> Buffers<'a> {
     fn address(&mut self, address: &str, name: &str) -> Result<Bytes<'a>, ReadError> {
         if let Some(data) = data_address(address) {
             let bytes = data.decode().ok_or_else(|| malformed(format!("{name} has an address of invalid base64")))?;
+            self.budget.take::<u8>(bytes.len() as u64)?;
             return Ok(Bytes::from_vec(bytes));
         }
         let file = decode_percent(address);

@@ -146,7 +146,7 @@ impl<'d> MaterialWriter<'d> {
     ) -> Result<u32, TryReserveError> {
         if info.get("texCoord").is_some_and(|set| set.whole() != Some(0)) {
             let name = &material.name;
-            self.lose(format!("a texture of material {name} that other texture coordinates show"));
+            self.lose(&format!("a texture of material {name} that other texture coordinates show"));
             return Ok(NO_TEXTURE);
         }
         let Some((sampler, image)) = textures.get(usize::try_from(index).unwrap_or(usize::MAX)) else {
@@ -198,7 +198,7 @@ impl<'d> MaterialWriter<'d> {
         if let Some(NativeMaterial::Mtl(lines)) = &material.native
             && lines.iter().any(|line| !is_plain_line(line))
         {
-            self.lose(format!("all of material {} except its diffuse colour and image", material.name));
+            self.lose(&format!("all of material {} except its diffuse colour and image", material.name));
         }
         Ok(text)
     }
@@ -216,11 +216,11 @@ impl<'d> MaterialWriter<'d> {
         let written = match media_type_from_bytes(&bytes) {
             Some(media_type) => Some(self.store(&image.name, &bytes, media_type, binary)?),
             None if bytes.is_empty() => {
-                self.lose(format!("the image {name}, which is not there"));
+                self.lose(&format!("the image {name}, which is not there"));
                 None
             }
             None => {
-                self.lose(format!("the image {name}, which is neither PNG nor JPEG"));
+                self.lose(&format!("the image {name}, which is neither PNG nor JPEG"));
                 None
             }
         };
@@ -250,8 +250,8 @@ impl<'d> MaterialWriter<'d> {
         Ok(made)
     }
 
-    fn lose(&mut self, text: String) {
-        let loss = Loss(crate::error::printable(&text));
+    fn lose(&mut self, text: &str) {
+        let loss = Loss(crate::error::printable(text));
         if !self.losses.contains(&loss) {
             self.losses.push(loss);
         }

@@ -141,10 +141,12 @@ impl<'r, 'a> MeshReader<'r, 'a> {
             }
         };
         let indices = checked_indices(indices, mode, range, place)?;
-        // Offsets and corners; strips make three corners of each index.
-        let faces = indices.len() as u64 / if mode == Mode::Triangles { 3 } else { 1 };
-        self.accessors.buffers.budget.take::<[u32; 4]>(faces)?;
-        append_faces(&mut self.mesh, primitive, mode, indices, range[0], self.notes)
+        let count = indices.len() as u64;
+        let (faces, corners) = if mode == Mode::Triangles { (count / 3, count) } else { (count, 3 * count) };
+        self.accessors.buffers.budget.take::<u32>(faces + corners)?;
+        append_faces(&mut self.mesh, primitive, mode, indices, range[0], self.notes)?;
+        self.accessors.buffers.budget.give_back::<u32>(count);
+        Ok(())
     }
 
     /// Appends the vertices of a primitive. Returns the first one and their number.
@@ -196,6 +198,7 @@ impl<'r, 'a> MeshReader<'r, 'a> {
             let opaque = self.attribute::<3, f32>(accessor, count, "COLOR_0", |x| x as f32)?.unwrap_or_default();
             let mut made = self.accessors.buffers.budget.vector(count as u64)?;
             made.extend(opaque.iter().map(|&[r, g, b]| [r, g, b, 1.0]));
+            self.accessors.buffers.budget.give_back::<[f32; 3]>(count as u64);
             made
         };
         let mut converter = ColourConverter::new(srgb_from_linear);
@@ -216,6 +219,9 @@ impl<'r, 'a> MeshReader<'r, 'a> {
             let origin = own(vertex).filter(|&origin| origin < count && is_origin(origin)).unwrap_or(vertex);
             (start + origin) as u32
         }));
+        if halves.is_some() {
+            self.accessors.buffers.budget.give_back::<[u32; 2]>(count as u64);
+        }
         Ok(())
     }
 
@@ -249,7 +255,7 @@ impl<'r, 'a> MeshReader<'r, 'a> {
     }
 
     fn finish(self) -> Result<(Mesh, Strands), ReadError> {
-        let Self { mut mesh, accessors, .. } = self;
+        let Self { mut mesh, accessors, notes, .. } = self;
         let budget: &mut Budget = &mut accessors.buffers.budget;
         let count = mesh.positions.len();
         mesh.normals = padded(self.normals, count, [f64::NAN; 3]).map_or(Values::Absent, Values::Vertices);
@@ -258,7 +264,7 @@ impl<'r, 'a> MeshReader<'r, 'a> {
         if self.has_origins {
             unite_vertices(&mut mesh, &self.origins, budget)?;
         } else if self.merges {
-            merge_equal_positions(&mut mesh, budget)?;
+            merge_equal_positions(&mut mesh, budget, notes)?;
         }
         Ok((mesh, self.strands))
     }
@@ -267,8 +273,8 @@ impl<'r, 'a> MeshReader<'r, 'a> {
 /// Makes the error of a primitive whose numbers only Draco holds.
 pub(super) fn draco_error() -> ReadError {
     ReadError::unsupported(
-        "the file requires the extension KHR_draco_mesh_compression, which is not read; convert the file with gltf-transform, \
-         or import it into Blender and export it without compression",
+        "the file requires the extension KHR_draco_mesh_compression, which is not read; decompress it by \
+         gltf-transform cp in.glb out.glb",
     )
 }
 

@@ -190,7 +190,7 @@ fn write_vertices(
     split: &SplitVertices<'_>,
     origin: [f64; 3],
     binary: &mut Binary,
-) -> Result<String, TryReserveError> {
+) -> Result<String, WriteError> {
     let origins = split.origins.as_deref();
     let points = file_positions(&mesh.positions, origins, origin)?;
     let count = points.len() as u32;

@@ -27,6 +27,8 @@ pub(super) fn shown_meshes<'a>(
 ) -> Result<Vec<ShownMesh>, ReadError> {
     let list = |name: &str| root.get(name).map_or_else(Vec::new, |list| list.items().collect::<Vec<_>>());
     let (nodes, scenes) = (list("nodes"), list("scenes"));
+    // Lists of values, parents and marks.
+    accessors.buffers.budget.take::<[u64; 8]>(nodes.len() as u64)?;
     let parents = node_parents(&nodes, notes)?;
     let roots = match scenes.len() {
         0 if nodes.is_empty() => return unplaced_meshes(root, accessors),

@@ -1,9 +1,9 @@
 //! Split vertices: those that this library split are joined again, and others at equal positions get a common representative.
 
 use crate::budget::Budget;
-use crate::error::ReadError;
+use crate::error::{Note, Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
 use crate::mesh::{Mesh, Positions, Values};
-use std::collections::TryReserveError;
+use crate::vertex_merging::{Coordinate, VertexMerger};
 
 /// Joins vertices with their origins, which `origins` lists for each vertex. Attributes that differ go to corners.
 pub(super) fn unite_vertices(mesh: &mut Mesh, origins: &[u32], budget: &mut Budget) -> Result<(), ReadError> {
@@ -58,73 +58,57 @@ fn gathered<const N: usize>(
     Ok(Values::Corners(at_corners))
 }
 
-/// Gives vertices at equal positions the first of them as representative. NaN equals nothing, and -0 equals 0.
-pub(super) fn merge_equal_positions(mesh: &mut Mesh, budget: &mut Budget) -> Result<(), ReadError> {
-    budget.take::<[u32; 4]>(mesh.positions.len() as u64)?;
+/// Gives vertices at equal positions the first of them as representative. NaN equals nothing, and -0 equals 0. Merges nothing if the
+/// table of positions exceeds the budget, and says so.
+pub(super) fn merge_equal_positions(
+    mesh: &mut Mesh,
+    budget: &mut Budget,
+    notes: &mut Vec<Note>,
+) -> Result<(), ReadError> {
+    let count = mesh.positions.len() as u64;
+    if budget.take::<[u64; 6]>(count).is_err() {
+        let text = format!("a mesh of {count} vertices is not merged at equal positions, because its file is small");
+        notes.push(Note::new(Place::Whole, text));
+        return Ok(());
+    }
     let merge = match &mesh.positions {
-        Positions::F32(points) => representatives(points, single_key)?,
-        Positions::F64(points) => representatives(points, |point| point.map(|x| (x + 0.0).to_bits()))?,
+        Positions::F32(points) => representatives(points)?,
+        Positions::F64(points) => representatives(points)?,
     };
-    if merge.iter().enumerate().any(|(vertex, &first)| vertex != first as usize) {
+    budget.give_back::<[u64; 6]>(count);
+    if let Some(merge) = merge {
+        budget.take::<u32>(count)?;
         mesh.merge = merge;
     }
     Ok(())
 }
 
 /// Returns whether two points are equal.
-pub(super) fn has_equal_positions(points: &[[f32; 3]]) -> Result<bool, TryReserveError> {
-    let merge = representatives(points, single_key)?;
-    Ok(merge.iter().enumerate().any(|(vertex, &first)| vertex != first as usize))
+pub(super) fn has_equal_positions(points: &[[f32; 3]]) -> Result<bool, WriteError> {
+    let merge = representatives(points).map_err(|error| {
+        let is_memory = error.kind == ReadErrorKind::OutOfMemory;
+        let kind = if is_memory { WriteErrorKind::OutOfMemory } else { WriteErrorKind::Unsupported };
+        WriteError::new(kind, error.message)
+    })?;
+    Ok(merge.is_some())
 }
 
-fn single_key(point: [f32; 3]) -> [u64; 3] {
-    point.map(|x| u64::from((x + 0.0).to_bits()))
-}
-
-/// An empty place of the table.
-const EMPTY: u32 = u32::MAX;
-
-fn representatives<T: Copy + PartialOrd>(
-    points: &[[T; 3]],
-    key: impl Fn([T; 3]) -> [u64; 3],
-) -> Result<Vec<u32>, TryReserveError> {
-    let size = (points.len() + points.len() / 2 + 1).next_power_of_two();
-    let mut table = Vec::new();
-    table.try_reserve_exact(size)?;
-    table.resize(size, EMPTY);
+/// Returns the first vertex at each position; `None` if all vertices differ.
+fn representatives<T: Coordinate>(points: &[[T; 3]]) -> Result<Option<Vec<u32>>, ReadError> {
     let mut merge = Vec::new();
-    merge.try_reserve_exact(points.len())?;
-    for (vertex, &point) in points.iter().enumerate() {
-        let vertex = vertex as u32;
-        // A NaN is not comparable with itself.
-        if point.iter().any(|x| x.partial_cmp(x).is_none()) {
-            merge.push(vertex);
-            continue;
+    let mut merger = VertexMerger::new(points.len())?;
+    merger.extend(points, &mut merge)?;
+    if merger.len() == points.len() {
+        return Ok(None);
+    }
+    // Numbers of positions follow their first occurrence.
+    let mut firsts: Vec<u32> = Vec::new();
+    firsts.try_reserve_exact(merger.len())?;
+    for (vertex, number) in merge.iter_mut().enumerate() {
+        if *number as usize == firsts.len() {
+            firsts.push(vertex as u32);
         }
-        let own = key(point);
-        let mut place = hash(own) as usize & (size - 1);
-        let first = loop {
-            match table[place] {
-                EMPTY => {
-                    table[place] = vertex;
-                    break vertex;
-                }
-                known if key(points[known as usize]) == own => break known,
-                _ => place = (place + 1) & (size - 1),
-            }
-        };
-        merge.push(first);
+        *number = firsts[*number as usize];
     }
-    Ok(merge)
-}
-
-/// Mixes all bits of three numbers.
-fn hash(key: [u64; 3]) -> u64 {
-    const MULTIPLIER: u64 = 0x9E37_79B9_7F4A_7C15;
-    let mut hash = 0_u64;
-    for part in key {
-        hash = (hash ^ part).wrapping_mul(MULTIPLIER);
-        hash ^= hash >> 32;
-    }
-    hash
+    Ok(Some(merge))
 }

@@ -23,6 +23,13 @@ fn assert_same_faces(a: &Mesh, b: &Mesh) {
     }
 }
 
+/// Returns the triangles of a written file.
+fn flat_triangles(document: &Document) -> Mesh {
+    let (text, _) = written(document, false, &NoResources);
+    let text = String::from_utf8_lossy(&text).replace("FB_ngon_encoding", "none").replace("gusset_polygons", "none");
+    flat(text.as_bytes())
+}
+
 #[test]
 fn keeps_polygons() {
     let mesh = box_mesh();
@@ -48,6 +55,9 @@ fn keeps_polygons_that_no_fan_covers() {
         ..Mesh::default()
     };
     assert_same_faces(&returned(&Document::from_mesh(mesh.clone())).meshes[0], &mesh);
+    // Programs without the extension see triangles that cover the same area: 30 twice, and 12.
+    let triangles = flat_triangles(&Document::from_mesh(mesh.clone()));
+    assert_eq!((triangles.face_count(), area_and_volume(&triangles).0), (15, 72.0));
     // Extras that do not fit are ignored.
     let (text, _) = written(&Document::from_mesh(mesh), false, &NoResources);
     let text = String::from_utf8_lossy(&text).replace("[[0,6,0,", "[[0,6,4,");

@@ -78,6 +78,11 @@ impl<'a> Tape<'a> {
         Ok(parser.tape)
     }
 
+    /// Returns the memory of all values in bytes.
+    pub(super) fn bytes(&self) -> u64 {
+        (self.entries.capacity() * size_of::<Entry>()) as u64
+    }
+
     /// Returns the outermost value.
     pub(super) fn root(&self) -> Value<'_> {
         Value { tape: self, index: 0 }
@@ -350,12 +355,13 @@ fn unicode_escape(bytes: &[u8], place: &mut usize) -> char {
     };
     let Some(high) = half(*place) else { return char::REPLACEMENT_CHARACTER };
     *place += 4;
-    if (0xd800..0xdc00).contains(&high) && bytes.get(*place..*place + 2) == Some(b"\\u") {
-        if let Some(low @ 0xdc00..=0xdfff) = half(*place + 2) {
-            *place += 6;
-            return char::from_u32(0x10000 + ((high - 0xd800) << 10) + (low - 0xdc00))
-                .unwrap_or(char::REPLACEMENT_CHARACTER);
-        }
+    if (0xd800..0xdc00).contains(&high)
+        && bytes.get(*place..*place + 2) == Some(b"\\u")
+        && let Some(low @ 0xdc00..=0xdfff) = half(*place + 2)
+    {
+        *place += 6;
+        return char::from_u32(0x10000 + ((high - 0xd800) << 10) + (low - 0xdc00))
+            .unwrap_or(char::REPLACEMENT_CHARACTER);
     }
     char::from_u32(high).unwrap_or(char::REPLACEMENT_CHARACTER)
 }

@@ -110,7 +110,7 @@ fn decode_attributes(bytes: &[u8], stride: usize, made: &mut [u8]) -> Option<()>
     let (first, channels) = tail.split_at(stride);
     let mut previous = first.to_vec();
     let mut source = Source { bytes: &bytes[..bytes.len() - tail_bytes], place: 1 };
-    let block_elements = (0x2000 / stride & !(GROUP - 1)).min(0x100);
+    let block_elements = ((0x2000 / stride) & !(GROUP - 1)).min(0x100);
     let mut deltas = vec![0; block_elements * stride];
     for block in made.chunks_mut(block_elements * stride) {
         let count = block.len() / stride;
@@ -295,7 +295,7 @@ impl Triangles<'_> {
 fn decode_triangles(bytes: &[u8], size: usize, made: &mut [u8]) -> Option<()> {
     const TABLE_BYTES: usize = 16;
     let count = made.len() / (3 * size);
-    if bytes.first() != Some(&0xe1) || made.len() % (3 * size) != 0 {
+    if bytes.first() != Some(&0xe1) || !made.len().is_multiple_of(3 * size) {
         return None;
     }
     let (rest, table) = bytes.split_at_checked(bytes.len().checked_sub(TABLE_BYTES)?)?;

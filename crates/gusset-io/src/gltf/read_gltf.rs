@@ -16,6 +16,7 @@ use crate::error::{Note, Place, ReadError, printable};
 use crate::options::ReadOptions;
 use crate::resources::Resources;
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 /// Required extensions that change nothing which is read, besides those of materials and textures.
 const HARMLESS_EXTENSIONS: [&str; 8] = [
@@ -39,7 +40,9 @@ pub(crate) fn read_gltf(bytes: &[u8], resources: &dyn Resources, options: &ReadO
     let root = tape.root();
     check_version(root, &mut document.notes)?;
     check_extensions(root)?;
-    let buffers = Buffers::new(root, parts.binary, resources, Budget::new(bytes.len()));
+    let mut budget = Budget::new(bytes.len());
+    budget.take::<u8>(tape.bytes())?;
+    let buffers = Buffers::new(root, parts.binary, resources, budget);
     let mut accessors = Accessors::new(root, buffers);
     let shown = shown_meshes(root, &mut accessors, &mut document.notes)?;
     read_shown(root, &mut accessors, shown, options, &mut document)?;
@@ -90,7 +93,7 @@ fn check_extensions(root: Value<'_>) -> Result<(), ReadError> {
         }
         if !is_known {
             return Err(ReadError::unsupported(format!(
-                "the file requires the extension {}, which is not read; gltf-transform may convert it",
+                "the file requires the extension {}, which is not read; export the file without it",
                 printable(&name)
             )));
         }
@@ -118,12 +121,13 @@ fn read_shown<'a>(
     let mut known: BTreeMap<usize, KnownMesh> = BTreeMap::new();
     for own in shown {
         unread.has_skins |= own.is_skinned;
-        if !known.contains_key(&own.mesh) {
-            let json = element(&meshes, own.mesh, "mesh")?;
-            let read = read_mesh(json, &own, accessors, &mut materials, &mut unread, options, document)?;
-            known.insert(own.mesh, read);
-        }
-        let KnownMesh { mesh, strands } = &known[&own.mesh];
+        let KnownMesh { mesh, strands } = match known.entry(own.mesh) {
+            Entry::Occupied(entry) => entry.into_mut(),
+            Entry::Vacant(entry) => {
+                let json = element(&meshes, own.mesh, "mesh")?;
+                entry.insert(read_mesh(json, &own, accessors, &mut materials, &mut unread, options, document)?)
+            }
+        };
         strands.place(document, &own.transform, &mut accessors.buffers.budget)?;
         if let Some(mesh) = *mesh {
             document.placements.push(Placement { name: own.name, mesh, transform: own.transform });

@@ -2,46 +2,14 @@
 
 use super::{read_obj, write_obj};
 use crate::document::Document;
-use crate::material::NO_MATERIAL;
-use crate::mesh::Values;
 use crate::options::{ReadOptions, WriteOptions};
 use crate::resources::{NoResources, Target};
 use proptest::prelude::*;
 use std::time::{Duration, Instant};
 
-fn check_values<const N: usize>(values: &Values<N>, vertices: usize, corners: usize) {
-    match values {
-        Values::Absent => {}
-        Values::Vertices(all) => assert_eq!(all.len(), vertices),
-        Values::Corners(all) => assert_eq!(all.len(), corners),
-    }
-}
-
-/// Checks that all indices and lengths of a document are valid.
-fn check(document: &Document) {
-    for mesh in &document.meshes {
-        let (vertices, corners) = (mesh.positions.len(), mesh.corners.len());
-        assert!(mesh.corners.iter().all(|&vertex| (vertex as usize) < vertices));
-        assert!(mesh.face_offsets.windows(2).all(|ends| ends[0] + 3 <= ends[1]));
-        assert_eq!(mesh.face_offsets.last().copied(), Some(corners as u32));
-        check_values(&mesh.normals, vertices, corners);
-        check_values(&mesh.texcoords, vertices, corners);
-        assert!(mesh.vertex_colours.is_empty() || mesh.vertex_colours.len() == vertices);
-        assert!(mesh.face_materials.is_empty() || mesh.face_materials.len() == mesh.face_count());
-        let is_valid = |material: u32| material == NO_MATERIAL || (material as usize) < document.materials.len();
-        assert!(mesh.face_materials.iter().all(|&material| is_valid(material)));
-    }
-    let curves = &document.curves;
-    assert_eq!(curves.offsets.last().copied(), Some(curves.positions.len() as u32));
-    assert_eq!(curves.offsets.len(), curves.closed.len() + 1);
-    let points = &document.points;
-    assert!(points.colours.is_empty() || points.colours.len() == points.positions.len());
-    assert!(points.normals.is_empty() || points.normals.len() == points.positions.len());
-}
-
 fn read_and_write(bytes: &[u8]) {
     let Ok(document) = read_obj(bytes, &NoResources, &ReadOptions::default()) else { return };
-    check(&document);
+    document.check().expect("all indices are valid");
     let mut main = Vec::new();
     let mut target = Target { main: &mut main, stem: "x", beside: &mut |_, _| Ok(()), resources: &NoResources };
     write_obj(&document, &mut target, &WriteOptions::default()).expect("memory is written");

@@ -99,8 +99,9 @@ fn whole_mesh(content: Content<'_>, face_materials: Vec<u32>) -> Result<Mesh, Re
         _ => &[],
     };
     let (corners, vertex_count) = (content.corners, content.positions.len());
-    let normals = values_from_lists(content.normals, content.corner_normals, &corners, vertex_count)?;
-    let texcoords = values_from_lists(content.texcoords, content.corner_texcoords, &corners, vertex_count)?;
+    let normals = values_from_lists(content.normals, &content.corner_normals, &corners, vertex_count)?;
+    drop(content.corner_normals);
+    let texcoords = values_from_lists(content.texcoords, &content.corner_texcoords, &corners, vertex_count)?;
     Ok(Mesh {
         name: String::from_utf8_lossy(name).into_owned(),
         positions: Positions::F64(content.positions),

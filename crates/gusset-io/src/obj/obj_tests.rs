@@ -28,10 +28,6 @@ fn notes(document: &Document) -> Vec<&str> {
     document.notes.iter().map(|note| &*note.text).collect()
 }
 
-fn faces(mesh: &Mesh) -> Vec<&[u32]> {
-    (0..mesh.face_count()).map(|face| mesh.face(face)).collect()
-}
-
 /// Six times the signed volume of a triangle mesh.
 pub(super) fn volume(mesh: &Mesh) -> f64 {
     let mut sum = 0.0;
@@ -134,7 +130,7 @@ fn positions_keep_all_digits() {
             .replace("v 1D0 0 0\n", "f 1 2 3\n")
             .as_str(),
     );
-    assert_eq!(mesh.positions.get(0), [0.1, 1e-300, -123_456_789.012_345_678_9]);
+    assert_eq!(mesh.positions.get(0), [0.1, 1e-300, -123_456_789.012_345_67]);
     assert_eq!(mesh.positions.get(1), [1.0, 2.0, 0.5]);
     assert!(mesh.positions.get(2)[0] == f64::INFINITY && mesh.positions.get(2)[2].is_nan());
 }
@@ -154,6 +150,9 @@ fn lines_may_continue_end_or_begin_oddly() {
         let document = read(text);
         assert_eq!(document, plain, "{text}");
     }
+    let utf16: Vec<u8> =
+        "\u{feff}v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    assert_eq!(read_obj(&utf16, &NoResources, &ReadOptions::default()), Ok(plain));
 }
 
 #[test]
@@ -174,6 +173,8 @@ fn vertices_have_colours_of_two_scales() {
     let document = read("v 0 0 0 255 0 51\nv 1 0 0 0 0 0\nv 0 1 0 255 255 255\nf 1 2 3\n");
     assert_eq!(document.meshes[0].vertex_colours, [[1.0, 0.0, 0.2, 1.0], [0.0, 0.0, 0.0, 1.0], [1.0; 4]]);
     assert!(notes(&document)[0].contains("steps from 0 to 255"));
+    let document = read("v 0 0 0 255 0 51 128\nv 1 0 0 nan -1 0 0\nv 0 1 0 255 255 255 255\nf 1 2 3\n");
+    assert_eq!(document.meshes[0].vertex_colours, [[1.0, 0.0, 0.2, 128.0 / 255.0], [1.0, 0.0, 0.0, 0.0], [1.0; 4]]);
     let document = read("v 0 0 0 2\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     assert!(document.meshes[0].vertex_colours.is_empty());
     assert!(notes(&document)[0].contains("fourth number"));
@@ -257,7 +258,7 @@ fn errors_name_line_element_and_value() {
         ("vn 0 0 1\nvn 0 x 1\n", "2: normal 1: \"x\" is not a number"),
         ("vt 0 0\nvt 0 1,5\n", "2: texture coordinate 1: \"1,5\" is not a number"),
         ("v 0 0 0 1 1 x\n", "1: vertex 0: \"x\" is not a number"),
-        ("ply\nformat ascii 1.0\n", "1: this is not an OBJ file: it is a PLY file; give it the extension .ply"),
+        ("ply \nformat ascii 1.0\n", "1: this is not an OBJ file: it is a PLY file; name it .ply"),
         (
             "\u{1f}what\n",
             "1: this is not an OBJ file: it has no statement like v or f; the first word is \"\u{fffd}what\"",
@@ -268,6 +269,8 @@ fn errors_name_line_element_and_value() {
     }
     let gzip = read_obj(b"\x1f\x8b\x08\0\0", &NoResources, &ReadOptions::default()).expect_err("it is compressed");
     assert!(gzip.message.contains("gunzip"));
+    let fbx = read_obj(b"Kaydara FBX Binary\nv x\n", &NoResources, &ReadOptions::default()).expect_err("it is FBX");
+    assert!(fbx.message.contains("Blender"));
 }
 
 #[test]

@@ -21,14 +21,14 @@ pub(super) fn drop_missing_values<const N: usize>(values: &[[f64; N]], indices: 
 /// `indices` has an index below `values.len()` or `ABSENT` for each corner, or is empty.
 pub(super) fn values_from_lists<const N: usize>(
     values: Vec<[f64; N]>,
-    indices: Vec<u32>,
+    indices: &[u32],
     corners: &[u32],
     vertex_count: usize,
 ) -> Result<Values<N>, ReadError> {
     if values.len() == vertex_count && indices == corners && !corners.is_empty() {
         return Ok(Values::Vertices(values));
     }
-    values_from_indices(&values, &indices, corners, vertex_count)
+    values_from_indices(&values, indices, corners, vertex_count)
 }
 
 /// Makes values as [`values_from_lists`] does, of a part of the indices.

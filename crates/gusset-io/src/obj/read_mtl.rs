@@ -75,6 +75,7 @@ pub(super) fn material_from_lines(name: &[u8], definition: Definition<'_>) -> (M
         kept.push(line);
     }
     material.colour[3] = opacity.unwrap_or(material.colour[3]);
+    material.colour = material.colour.map(|part| if part.is_nan() { 1.0 } else { part.clamp(0.0, 1.0) });
     material.native = Some(NativeMaterial::Mtl(kept));
     (material, image)
 }

@@ -6,40 +6,29 @@ use super::obj_materials::read_materials;
 use super::obj_objects::{document_from_faces, is_split_by_objects};
 use crate::document::{Curves, Document, PointCloud};
 use crate::error::{Note, Place, ReadError, quoted};
+use crate::foreign_files::refuse_foreign_file;
 use crate::mesh::Positions;
 use crate::options::ReadOptions;
 use crate::resources::Resources;
-use std::borrow::Cow;
+use crate::text_encoding::decode_text;
 
 /// Reads an OBJ file and its material libraries.
 pub(crate) fn read_obj(bytes: &[u8], resources: &dyn Resources, _: &ReadOptions) -> Result<Document, ReadError> {
-    let text = text_lines(bytes)?;
-    let content = read_content(&text)?;
-    document_from_content(content, resources)
-}
-
-/// Returns the text without a byte order mark, with the line ends of Unix if it has those of old Macintosh files.
-fn text_lines(bytes: &[u8]) -> Result<Cow<'_, [u8]>, ReadError> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let has_unix_ends = bytes.contains(&b'\n');
-    if has_unix_ends || !bytes.contains(&b'\r') {
-        return Ok(Cow::Borrowed(bytes));
+    let text = decode_text(bytes)?;
+    let content = read_content(&text).map_err(|error| refuse_foreign_file(bytes).unwrap_or(error))?;
+    if let Some(word) = content.unknown
+        && !content.has_known
+    {
+        let line = content.omissions[Omission::Unknown as usize].first_line + 1;
+        return Err(refuse_foreign_file(bytes).unwrap_or_else(|| refuse_foreign_text(word, line)));
     }
-    let mut changed = Vec::new();
-    changed.try_reserve_exact(bytes.len())?;
-    changed.extend(bytes.iter().map(|&byte| if byte == b'\r' { b'\n' } else { byte }));
-    Ok(Cow::Owned(changed))
+    document_from_content(content, resources)
 }
 
 pub(super) fn document_from_content(
     mut content: Content<'_>,
     resources: &dyn Resources,
 ) -> Result<Document, ReadError> {
-    if let Some(word) = content.unknown
-        && !content.has_known
-    {
-        return Err(foreign_file(word, content.omissions[Omission::Unknown as usize].first_line + 1));
-    }
     let mut notes = omission_notes(&content);
     let is_split = is_split_by_objects(&content)?;
     if (!is_split && content.objects.len() > 1) || content.groups == Names::Several {
@@ -75,18 +64,12 @@ pub(super) fn document_from_content(
     Ok(document)
 }
 
-fn foreign_file(word: &[u8], line: u64) -> ReadError {
+fn refuse_foreign_text(word: &[u8], line: u64) -> ReadError {
     let known = [
-        (&b"ply"[..], "a PLY file; give it the extension .ply"),
-        (b"OFF", "an OFF file; give it the extension .off"),
-        (b"solid", "an STL file; give it the extension .stl"),
-        (b"glTF", "a glTF file; give it the extension .glb"),
-        (b"{", "a JSON file; if it is a glTF file, give it the extension .gltf"),
-        (b"\x1f\x8b", "compressed by gzip; decompress it by gunzip"),
-        (b"PK\x03\x04", "a ZIP archive; extract it by unzip"),
-        (b"\x28\xb5\x2f\xfd", "compressed by zstd; decompress it by unzstd"),
-        (b"BZh", "compressed by bzip2; decompress it by bunzip2"),
-        (b"\xfd7zXZ", "compressed by xz; decompress it by unxz"),
+        (&b"ply"[..], "a PLY file; name it .ply"),
+        (b"OFF", "an OFF file; name it .off"),
+        (b"solid", "an STL file; name it .stl"),
+        (b"{", "a JSON file; if it is a glTF file, name it .gltf"),
     ];
     let text = match known.iter().find(|(start, _)| word.starts_with(start)) {
         Some((_, what)) => format!("this is not an OBJ file: it is {what}"),
@@ -131,23 +114,20 @@ fn counted(tally: Tally, noun: &str) -> String {
     format!("{} {noun}{}", tally.count, if tally.count == 1 { "" } else { "s" })
 }
 
-/// Divides colours by 255 if any of them exceeds 1.
+/// Divides red, green and blue by 255 if one of them exceeds 1, and so opacity. Missing parts, which are NaN, become 1.
 fn scale_colours(colours: &mut [[f32; 4]], notes: &mut Vec<Note>) {
     let exceeds = |places: std::ops::Range<usize>| {
         colours.iter().any(|colour| colour[places.clone()].iter().any(|&part| part > 1.0))
     };
-    let (has_bytes, has_opacity_bytes) = (exceeds(0..3), exceeds(3..4));
-    if !has_bytes && !has_opacity_bytes {
-        return;
+    let full = [exceeds(0..3), exceeds(3..4)].map(|has_steps| if has_steps { 255.0 } else { 1.0 });
+    if full != [1.0; 2] {
+        notes.push(Note::new(Place::Whole, "colours exceed 1: they are read as steps from 0 to 255"));
     }
     for colour in colours {
-        for (part, is_byte) in colour.iter_mut().zip([has_bytes, has_bytes, has_bytes, has_opacity_bytes]) {
-            if is_byte {
-                *part /= 255.0;
-            }
+        for (part, full) in colour.iter_mut().zip([full[0], full[0], full[0], full[1]]) {
+            *part = if part.is_nan() { 1.0 } else { (*part / full).clamp(0.0, 1.0) };
         }
     }
-    notes.push(Note::new(Place::Whole, "colours exceed 1: they are read as steps from 0 to 255"));
 }
 
 fn curves_from_lists(lists: &Lists, positions: &[[f64; 3]]) -> Result<Curves, ReadError> {

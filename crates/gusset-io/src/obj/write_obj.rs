@@ -1,9 +1,9 @@
 //! Documents as OBJ files.
 
 use super::write_mtl::{UsedMaterials, one_line, write_library};
-use super::write_values::{Numbers, write_values};
+use super::write_values::{Numbers, ValueLines};
 use crate::document::{Document, Placement, PointCloud, determinant, transformed_normal, transformed_point};
-use crate::error::{Loss, WriteError};
+use crate::error::{Loss, WriteError, WriteErrorKind};
 use crate::material::NO_MATERIAL;
 use crate::mesh::{Domain, Mesh, Positions};
 use crate::options::WriteOptions;
@@ -20,14 +20,20 @@ pub(crate) fn write_obj(
 ) -> Result<Vec<Loss>, WriteError> {
     let materials = UsedMaterials::from_document(document);
     let mut losses = Vec::new();
-    let library = write_library(document, &materials, target, &mut losses)?;
+    let library = match write_library(document, &materials, target, &mut losses) {
+        Err(error) if error.kind == WriteErrorKind::Unsupported => {
+            losses.push(Loss(format!("materials, which need a file beside the OBJ file: {error}")));
+            None
+        }
+        library => library?,
+    };
     let mut writer = ObjWriter {
         text: TextWriter::new(&mut *target.main),
         materials: &materials,
         current_material: Some(NO_MATERIAL),
         vertices: 0,
-        texcoords: 0,
-        normals: 0,
+        texcoords: ValueLines::new("vt"),
+        normals: ValueLines::new("vn"),
     };
     if let Some(library) = library {
         writer.line("mtllib", &library)?;
@@ -76,10 +82,10 @@ struct ObjWriter<'a, 'b> {
     materials: &'a UsedMaterials,
     /// Material of the last `usemtl`; `None` if the next face must name its own.
     current_material: Option<u32>,
-    /// Numbers of lines written.
+    /// Number of lines written.
     vertices: u64,
-    texcoords: u64,
-    normals: u64,
+    texcoords: ValueLines<2>,
+    normals: ValueLines<3>,
 }
 
 impl ObjWriter<'_, '_> {
@@ -104,8 +110,8 @@ impl ObjWriter<'_, '_> {
         }
         let transform = (placement.transform != Placement::IDENTITY).then_some(&placement.transform);
         let vertices = self.mesh_vertices(mesh, transform)?;
-        let texcoords = write_values(&mut self.text, "vt", &mesh.texcoords, &mut self.texcoords, |pair| pair)?;
-        let normals = write_values(&mut self.text, "vn", &mesh.normals, &mut self.normals, |normal| {
+        let texcoords = self.texcoords.write(&mut self.text, &mesh.texcoords, |pair| pair)?;
+        let normals = self.normals.write(&mut self.text, &mesh.normals, |normal| {
             transform.map_or(normal, |matrix| transformed_normal(matrix, normal))
         })?;
         let faces =

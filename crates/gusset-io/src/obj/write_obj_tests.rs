@@ -248,3 +248,34 @@ fn missing_values_leave_their_face_without() {
     let (text, ..) = written(&Document::from_mesh(mesh));
     assert!(text.ends_with("vt 0 0.5\nvt 1 0\nvt 0 0\nf 1/1 2/2 3/1\nf 3 2 1\n"), "{text}");
 }
+
+#[test]
+fn materials_are_lost_where_no_file_can_be_beside() {
+    let document = Document {
+        materials: vec![Material { name: "red".into(), ..Material::default() }],
+        ..Document::from_mesh(Mesh { face_materials: vec![0], ..triangle() })
+    };
+    let mut main = Vec::new();
+    let mut refuse =
+        |_: &str, _: &[u8]| Err(std::io::Error::new(std::io::ErrorKind::Unsupported, "there is no folder"));
+    let mut target = Target { main: &mut main, stem: "a", beside: &mut refuse, resources: &NoResources };
+    let losses = write_obj(&document, &mut target, &WriteOptions::default()).expect("memory is written");
+    assert_eq!(losses[0].0, "materials, which need a file beside the OBJ file: there is no folder");
+    assert_eq!(String::from_utf8_lossy(&main), "v 0.1 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
+    let mut fail = |_: &str, _: &[u8]| Err(std::io::ErrorKind::StorageFull.into());
+    let mut target = Target { main: &mut main, stem: "a", beside: &mut fail, resources: &NoResources };
+    let error = write_obj(&document, &mut target, &WriteOptions::default()).expect_err("the disk is full");
+    assert_eq!(error.to_string(), "no space is left on the disk");
+}
+
+#[test]
+fn objects_share_values() {
+    let mut mesh = triangle();
+    mesh.normals = Values::Vertices(vec![[0.0, 0.0, 1.0]; 3]);
+    let mut document = Document::from_mesh(mesh);
+    let shift = [[1.0, 0.0, 0.0, 5.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+    document.placements.push(Placement { name: "b".into(), mesh: 0, transform: shift });
+    let (text, ..) = written(&document);
+    assert_eq!(text.matches("vn").count(), 1);
+    assert!(text.ends_with("f 4//1 5//1 6//1\n"), "{text}");
+}

@@ -27,42 +27,59 @@ impl Numbers {
     }
 }
 
-/// Writes each value once, in the order of vertices or corners. `count` counts the lines of this keyword in the file.
-pub(super) fn write_values<const N: usize>(
-    text: &mut TextWriter<'_>,
-    keyword: &str,
-    values: &Values<N>,
-    count: &mut u64,
-    change: impl Fn([f64; N]) -> [f64; N],
-) -> io::Result<Numbers> {
-    let mut numbers = Vec::new();
-    let mut has_missing = false;
-    let is_at_corners = matches!(values, Values::Corners(_));
-    let (Values::Vertices(values) | Values::Corners(values)) = values else {
-        return Ok(Numbers { numbers, is_at_corners, has_missing });
-    };
-    numbers.try_reserve_exact(values.len()).map_err(|_| io::ErrorKind::OutOfMemory)?;
-    let mut known: HashMap<[u64; N], u64, SeededState> = HashMap::with_hasher(SeededState::random());
-    for value in values {
-        if value[0].is_nan() {
-            has_missing = true;
-            numbers.push(0);
-            continue;
+/// Lines of one keyword, each value once.
+pub(super) struct ValueLines<const N: usize> {
+    keyword: &'static str,
+    /// Line of each value by its bits.
+    known: HashMap<[u64; N], u64, SeededState>,
+}
+
+impl<const N: usize> ValueLines<N> {
+    pub(super) fn new(keyword: &'static str) -> Self {
+        Self { keyword, known: HashMap::with_hasher(SeededState::random()) }
+    }
+
+    /// Writes the values that the file lacks, in the order of vertices or corners.
+    pub(super) fn write(
+        &mut self,
+        text: &mut TextWriter<'_>,
+        values: &Values<N>,
+        change: impl Fn([f64; N]) -> [f64; N],
+    ) -> io::Result<Numbers> {
+        let mut numbers = Vec::new();
+        let mut has_missing = false;
+        let is_at_corners = matches!(values, Values::Corners(_));
+        let (Values::Vertices(values) | Values::Corners(values)) = values else {
+            return Ok(Numbers { numbers, is_at_corners, has_missing });
+        };
+        numbers.try_reserve_exact(values.len()).map_err(|_| io::ErrorKind::OutOfMemory)?;
+        for value in values {
+            if value[0].is_nan() {
+                has_missing = true;
+                numbers.push(0);
+            } else {
+                numbers.push(self.line(text, change(*value))?);
+            }
         }
-        known.try_reserve(1).map_err(|_| io::ErrorKind::OutOfMemory)?;
-        let number = *known.entry(value.map(f64::to_bits)).or_insert(*count + 1);
-        if number > *count {
-            *count = number;
-            text.text(keyword)?;
-            for part in change(*value) {
+        Ok(Numbers { numbers, is_at_corners, has_missing })
+    }
+
+    /// Returns the line of a value, which is written if it is new.
+    #[inline]
+    fn line(&mut self, text: &mut TextWriter<'_>, value: [f64; N]) -> io::Result<u64> {
+        self.known.try_reserve(1).map_err(|_| io::ErrorKind::OutOfMemory)?;
+        let next = self.known.len() as u64 + 1;
+        let number = *self.known.entry(value.map(f64::to_bits)).or_insert(next);
+        if number == next {
+            text.text(self.keyword)?;
+            for part in value {
                 text.bytes(b" ")?;
                 text.attribute(part)?;
             }
             text.bytes(b"\n")?;
         }
-        numbers.push(number);
+        Ok(number)
     }
-    Ok(Numbers { numbers, is_at_corners, has_missing })
 }
 
 /// Seeds of a hash that differ from run to run, so that no file can be made of values that collide.

@@ -6,7 +6,7 @@
 //! (element `tristrips`); range images (element `range_grid`), whose neighbours are joined by triangles. All other single numbers of
 //! vertices and faces become properties. A file without faces is a cloud of points.
 //!
-//! Reading takes time linear in the file: elements without properties cost nothing whatever their count is. The largest memory is 24
+//! Reading takes time linear in the file: elements without properties cost nothing whatever their count is. The largest memory is 25
 //! times the file, for lists of bytes with missing texture coordinates.
 //!
 //! Writes binary files with the least significant byte first, or text. Positions, normals and texture coordinates have single
@@ -25,6 +25,8 @@ mod room;
 mod row_writer;
 mod write_ply;
 
+#[cfg(test)]
+mod ply_hostile_tests;
 #[cfg(test)]
 mod ply_tests;
 

@@ -11,31 +11,40 @@ use crate::mesh::{Mesh, Values};
 
 /// Attributes that all elements of faces have, and values that are added to the mesh at the end.
 pub(super) struct FaceParts {
+    vertex_count: u32,
     /// Index of the first property of faces.
     first_property: usize,
     image_count: usize,
     has_colours: bool,
     /// Texture coordinates of corners.
     texcoords: Option<Vec<[f64; 2]>>,
+    /// Faces with fewer than three corners.
+    dropped: u64,
+    notes: Vec<Note>,
 }
 
 impl FaceParts {
-    pub(super) fn new(first_property: usize, image_count: usize, has_colours: bool, has_texcoords: bool) -> Self {
-        Self { first_property, image_count, has_colours, texcoords: has_texcoords.then(Vec::new) }
+    pub(super) fn new(
+        vertex_count: u32,
+        first_property: usize,
+        image_count: usize,
+        has_colours: bool,
+        has_texcoords: bool,
+    ) -> Self {
+        let texcoords = has_texcoords.then(Vec::new);
+        Self { vertex_count, first_property, image_count, has_colours, texcoords, dropped: 0, notes: Vec::new() }
     }
 
-    /// Appends an element's rows to the faces of a mesh of `vertex_count` vertices. Returns the number of faces with fewer than three
-    /// corners, which it leaves out. `believed` is the number of faces with three corners that the file can hold.
+    /// Appends an element's rows to the faces of a mesh, except faces with fewer than three corners. `believed` is the number of faces
+    /// that the file can hold.
     pub(super) fn read_faces<R: Rows>(
         &mut self,
         rows: &mut R,
         element: &Element<'_>,
         columns: &FaceColumns,
         believed: usize,
-        vertex_count: u32,
         mesh: &mut Mesh,
-        notes: &mut Vec<Note>,
-    ) -> Result<u64, ReadError> {
+    ) -> Result<(), ReadError> {
         let colour = columns.colour.filter(|_| self.has_colours).map(|columns| ColourReader::new(element, columns));
         let first_colour = mesh.face_colours.len();
         make_room(&mut mesh.face_offsets, believed)?;
@@ -49,17 +58,16 @@ impl FaceParts {
         let properties = mesh.properties[self.first_property..].iter_mut();
         let mut properties: Vec<_> = columns.rest.iter().zip(properties.map(|property| &mut property.values)).collect();
         properties.iter_mut().try_for_each(|(_, values)| make_room(values, believed))?;
-        let mut dropped = 0;
         for row in 0..element.count {
             rows.advance(element, row)?;
             let degree = rows.length(columns.vertices);
             if degree < 3 {
-                dropped += 1;
+                self.dropped += 1;
                 continue;
             }
             make_room(&mut mesh.corners, degree)?;
-            rows.append_indices(columns.vertices, vertex_count, &mut mesh.corners)
-                .map_err(|corner| missing_vertex(rows, element, row, columns.vertices, corner, vertex_count))?;
+            rows.append_indices(columns.vertices, self.vertex_count, &mut mesh.corners)
+                .map_err(|corner| missing_vertex(rows, element, row, columns.vertices, corner, self.vertex_count))?;
             mesh.face_offsets.push(end_of_face(&mesh.corners)?);
             if let (Some(texcoords), Some(column)) = (&mut self.texcoords, columns.texcoord) {
                 append_texcoords(rows, column, degree, texcoords)?;
@@ -75,9 +83,9 @@ impl FaceParts {
             }
         }
         if let Some(reader) = colour {
-            reader.finish(&mut mesh.face_colours[first_colour..], notes);
+            reader.finish(&mut mesh.face_colours[first_colour..], &mut self.notes);
         }
-        Ok(dropped)
+        Ok(())
     }
 
     /// Returns the material of a face: the image of this number. A face without a number has the first image.
@@ -93,9 +101,9 @@ impl FaceParts {
         rows: &mut R,
         element: &Element<'_>,
         list: usize,
-        vertex_count: u32,
         mesh: &mut Mesh,
     ) -> Result<(), ReadError> {
+        let vertex_count = self.vertex_count;
         for row in 0..element.count {
             rows.advance(element, row)?;
             let mut before = [0; 2];
@@ -113,7 +121,7 @@ impl FaceParts {
                 let [a, b] = before;
                 if length >= 2 && a != b && b != vertex && vertex != a {
                     make_room(&mut mesh.corners, 3)?;
-                    mesh.corners.extend(if length % 2 == 0 { [a, b, vertex] } else { [b, a, vertex] });
+                    mesh.corners.extend(if length.is_multiple_of(2) { [a, b, vertex] } else { [b, a, vertex] });
                     make_room(&mut mesh.face_offsets, 1)?;
                     mesh.face_offsets.push(end_of_face(&mesh.corners)?);
                     if self.image_count > 0 {
@@ -128,17 +136,20 @@ impl FaceParts {
         Ok(())
     }
 
-    /// Gives the mesh the texture coordinates of its corners.
-    pub(super) fn finish(self, mesh: &mut Mesh, notes: &mut Vec<Note>) {
-        let Some(texcoords) = self.texcoords else { return };
-        if texcoords.iter().all(|pair| pair[0].is_nan()) {
-            return;
+    /// Gives the mesh the texture coordinates of its corners. Returns notes about the faces.
+    pub(super) fn finish(mut self, mesh: &mut Mesh) -> Vec<Note> {
+        if self.dropped > 0 {
+            let text = format!("{} faces with fewer than 3 corners are left out", self.dropped);
+            self.notes.push(Note::new(Place::Whole, text));
         }
-        if !mesh.texcoords.is_absent() {
-            let text = "texture coordinates of vertices are left out, because corners have their own";
-            notes.push(Note::new(Place::Whole, text));
+        if let Some(texcoords) = self.texcoords.filter(|pairs| pairs.iter().any(|pair| !pair[0].is_nan())) {
+            if !mesh.texcoords.is_absent() {
+                let text = "texture coordinates of vertices are left out, because corners have their own";
+                self.notes.push(Note::new(Place::Whole, text));
+            }
+            mesh.texcoords = Values::Corners(texcoords);
         }
-        mesh.texcoords = Values::Corners(texcoords);
+        self.notes
     }
 }
 

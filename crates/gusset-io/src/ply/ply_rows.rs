@@ -2,7 +2,7 @@
 
 use super::ply_header::{Column, Element, Encoding, Header, Number};
 use super::room::make_room;
-use crate::error::{Place, ReadError, quoted};
+use crate::error::{Note, Place, ReadError, quoted};
 use crate::text::Scanner;
 
 /// Goes through the rows of one element after the other. A row offers its numbers and lists by the index of the column.
@@ -39,6 +39,9 @@ pub(super) trait Rows {
 
     /// Returns the number of bytes behind the current row.
     fn remaining(&self) -> usize;
+
+    /// Makes a note of what follows the last row.
+    fn note_rest(&mut self) -> Option<Note>;
 
     /// Returns where the current row is.
     fn place(&self) -> Place;
@@ -226,6 +229,15 @@ impl<const BIG: bool> Rows for BinaryRows<'_, BIG> {
         self.bytes.len() - self.end
     }
 
+    fn note_rest(&mut self) -> Option<Note> {
+        let text = match self.remaining() {
+            0 => return None,
+            1 => "1 byte follows the last row and is ignored".into(),
+            count => format!("{count} bytes follow the last row and are ignored"),
+        };
+        Some(Note::new(Place::Byte(self.end as u64), text))
+    }
+
     fn place(&self) -> Place {
         Place::Byte(self.start as u64)
     }
@@ -312,6 +324,11 @@ impl Rows for TextRows<'_> {
 
     fn remaining(&self) -> usize {
         self.size - self.scanner.place()
+    }
+
+    fn note_rest(&mut self) -> Option<Note> {
+        self.scanner.word()?;
+        Some(Note::new(Place::Line(self.scanner.line()), "this line and the rest follow the last row and are ignored"))
     }
 
     fn place(&self) -> Place {

@@ -62,37 +62,42 @@ fn distance(mesh: &Mesh, a: u32, b: u32) -> f32 {
     (0..3).map(|axis| (p[axis] - q[axis]).powi(2)).sum::<f64>().sqrt() as f32
 }
 
-/// Returns the median of the lengths of all triangles' edges, except those of length 0. Selects it by the upper and then the lower
-/// halves of the lengths' bits, so that no list of lengths is needed.
+/// Bits that each pass of the selection decides: their place and number.
+const PASSES: [[u32; 2]; 3] = [[21, 11], [10, 11], [0, 10]];
+
+/// Returns the median of the lengths of all triangles' edges, except those of length 0. Selects it by the upper bits of the lengths
+/// first, so that no list of lengths is needed.
 fn median_edge(mesh: &Mesh, grid: &[u32], columns: usize) -> Option<f32> {
-    let for_each_edge = |visit: &mut dyn FnMut(u32)| {
-        let mut rows = grid.chunks_exact(columns);
-        let Some(mut above) = rows.next() else { return };
-        for below in rows {
-            for column in 1..columns {
-                let cell = [above[column - 1], above[column], below[column], below[column - 1]];
-                for triangle in cell_triangles(mesh, cell).into_iter().flatten() {
-                    triangle_edges(mesh, triangle)
-                        .into_iter()
-                        .filter(|edge| *edge > 0.0)
-                        .for_each(|e| visit(e.to_bits()));
-                }
+    let mut found = 0;
+    let mut rank = None;
+    for [shift, width] in PASSES {
+        let mut counts = vec![0_u64; 1 << width];
+        visit_edges(mesh, grid, columns, |edge| {
+            let bits = edge.to_bits();
+            if rank.is_none() || bits >> (shift + width) == found {
+                counts[(bits >> shift & ((1 << width) - 1)) as usize] += 1;
             }
-            above = below;
+        });
+        let (next, rest) = bucket(&counts, rank.unwrap_or_else(|| counts.iter().sum::<u64>() / 2))?;
+        found = found << width | next;
+        rank = Some(rest);
+    }
+    Some(f32::from_bits(found))
+}
+
+/// Calls `visit` with the lengths of all triangles' edges, except those of length 0.
+fn visit_edges(mesh: &Mesh, grid: &[u32], columns: usize, mut visit: impl FnMut(f32)) {
+    let mut rows = grid.chunks_exact(columns);
+    let Some(mut above) = rows.next() else { return };
+    for below in rows {
+        for column in 1..columns {
+            let cell = [above[column - 1], above[column], below[column], below[column - 1]];
+            for triangle in cell_triangles(mesh, cell).into_iter().flatten() {
+                triangle_edges(mesh, triangle).into_iter().filter(|edge| *edge > 0.0).for_each(&mut visit);
+            }
         }
-    };
-    let mut counts = vec![0_u64; 1 << 16];
-    for_each_edge(&mut |bits| counts[(bits >> 16) as usize] += 1);
-    let rank = counts.iter().sum::<u64>() / 2;
-    let (upper, rank) = bucket(&counts, rank)?;
-    counts.fill(0);
-    for_each_edge(&mut |bits| {
-        if bits >> 16 == upper {
-            counts[(bits & 0xffff) as usize] += 1;
-        }
-    });
-    let (lower, _) = bucket(&counts, rank)?;
-    Some(f32::from_bits(upper << 16 | lower))
+        above = below;
+    }
 }
 
 /// Returns the bucket of the entry with this rank, and its rank in the bucket.

@@ -2,7 +2,7 @@
 
 use super::ply_columns::{FaceColumns, VertexColumns, index_list, other_lists, share_properties};
 use super::ply_faces::FaceParts;
-use super::ply_header::{Element, Encoding, Header, read_header};
+use super::ply_header::{Column, Element, Encoding, Header, read_header};
 use super::ply_rows::{BinaryRows, Rows, TextRows, believed_count};
 use super::ply_vertices::{VertexParts, read_vertices};
 use super::range_grid::{UNSEEN, add_range_faces};
@@ -38,21 +38,19 @@ struct Content {
     mesh: Mesh,
     /// A range image: a vertex or [`UNSEEN`] for each place, row by row.
     grid: Vec<u32>,
-    /// Faces with fewer than three corners.
-    dropped: u64,
     notes: Vec<Note>,
 }
 
 impl Content {
     fn read<R: Rows>(header: &Header<'_>, mut rows: R) -> Result<Self, ReadError> {
-        let mut content = Self { mesh: Mesh::default(), grid: Vec::new(), dropped: 0, notes: Vec::new() };
+        let mut content = Self { mesh: Mesh::default(), grid: Vec::new(), notes: Vec::new() };
         let mut roles = header.elements.iter().map(|element| role(header, element)).collect::<Result<Vec<_>, _>>()?;
         let count: u64 = elements_with(header, &roles, |role| matches!(role, Role::Vertices(_)))
             .map(|element| element.count)
             .fold(0, u64::saturating_add);
         let count = count.min(u64::from(u32::MAX) - 1) as u32;
         let vertex_parts = content.share_vertex_columns(header, &mut roles);
-        let mut face_parts = content.share_face_columns(header, &mut roles);
+        let mut face_parts = content.share_face_columns(header, &mut roles, count);
         for (element, role) in header.elements.iter().zip(&roles).filter(|(element, _)| element.count > 0) {
             rows.begin(element)?;
             let believed = |list| believed_count(element, header.encoding, rows.remaining(), list);
@@ -64,17 +62,9 @@ impl Content {
                 }
                 Role::Faces(columns) => {
                     let believed = believed(Some((columns.vertices, 3)));
-                    content.dropped += face_parts.read_faces(
-                        &mut rows,
-                        element,
-                        columns,
-                        believed,
-                        count,
-                        mesh,
-                        &mut content.notes,
-                    )?;
+                    face_parts.read_faces(&mut rows, element, columns, believed, mesh)?;
                 }
-                Role::Strips(list) => face_parts.read_strips(&mut rows, element, *list, count, mesh)?,
+                Role::Strips(list) => face_parts.read_strips(&mut rows, element, *list, mesh)?,
                 Role::Grid => {
                     let believed = believed(None);
                     content.grid = read_grid(&mut rows, element, believed, count)?;
@@ -82,8 +72,10 @@ impl Content {
                 Role::Other => rows.skip(element)?,
             }
         }
-        face_parts.finish(&mut content.mesh, &mut content.notes);
-        content.note_left_over(header, &roles, rows.remaining());
+        let mut notes = face_parts.finish(&mut content.mesh);
+        content.notes.append(&mut notes);
+        content.note_left_over(header, &roles);
+        content.notes.extend(rows.note_rest());
         Ok(content)
     }
 
@@ -116,7 +108,7 @@ impl Content {
     }
 
     /// Finds the attributes that all face elements have, and adds their properties to the mesh. Strips have none.
-    fn share_face_columns(&mut self, header: &Header<'_>, roles: &mut [Role]) -> FaceParts {
+    fn share_face_columns(&mut self, header: &Header<'_>, roles: &mut [Role], vertex_count: u32) -> FaceParts {
         let has_strips = roles.iter().any(|role| matches!(role, Role::Strips(_)));
         let is_faces = |role: &Role| matches!(role, Role::Faces(_));
         let elements: Vec<_> = elements_with(header, roles, is_faces).collect();
@@ -136,7 +128,7 @@ impl Content {
         let is_complete = (has_colours || !columns.iter().any(|found| found.colour.is_some()))
             && (has_texcoords || !columns.iter().any(|found| found.texcoord.is_some()));
         self.note_shared("face", elements.len(), left > 0 || !is_complete);
-        FaceParts::new(start, header.textures.len(), has_colours, has_texcoords)
+        FaceParts::new(vertex_count, start, header.textures.len(), has_colours, has_texcoords)
     }
 
     fn note_shared(&mut self, name: &str, count: usize, is_reduced: bool) {
@@ -150,7 +142,7 @@ impl Content {
         }
     }
 
-    fn note_left_over(&mut self, header: &Header<'_>, roles: &[Role], remaining: usize) {
+    fn note_left_over(&mut self, header: &Header<'_>, roles: &[Role]) {
         const MAX_NOTES: usize = 16;
         for (element, role) in header.elements.iter().zip(roles).filter(|(element, _)| element.count > 0) {
             let lists = match role {
@@ -170,25 +162,10 @@ impl Content {
                 self.notes.push(Note::new(Place::Whole, format!("lists of the element {name} are left out: {lists}")));
             }
             if matches!(role, Role::Other) {
-                let rows = element.count;
-                let reason = if !element.is_named("range_grid") {
-                    ""
-                } else if header.grid_columns == 0 || header.grid_rows == 0 {
-                    ", because the header lacks \"obj_info num_cols\" and \"obj_info num_rows\""
-                } else {
-                    ", because it does not have num_rows times num_cols places, or the file has faces"
-                };
-                let text = format!("the element {name} with {rows} rows is left out{reason}");
+                let rows = if element.count == 1 { "1 row".into() } else { format!("{} rows", element.count) };
+                let text = format!("the element {name} of {rows} is left out{}", reason_of_loss(header, element));
                 self.notes.push(Note::new(Place::Whole, text));
             }
-        }
-        if self.dropped > 0 {
-            let text = format!("{} faces with fewer than 3 corners are left out", self.dropped);
-            self.notes.push(Note::new(Place::Whole, text));
-        }
-        if remaining > 0 && header.encoding != Encoding::Text {
-            let text = format!("{remaining} bytes follow the last row and are ignored");
-            self.notes.push(Note::new(Place::Whole, text));
         }
     }
 
@@ -211,6 +188,17 @@ impl Content {
             add_textures(&mut document, header);
         }
         Ok(document)
+    }
+}
+
+/// Returns why a range image is left out, behind a comma; nothing for other elements.
+fn reason_of_loss(header: &Header<'_>, element: &Element<'_>) -> &'static str {
+    if !element.is_named("range_grid") {
+        ""
+    } else if header.grid_columns == 0 || header.grid_rows == 0 {
+        ", because the header lacks \"obj_info num_cols\" and \"obj_info num_rows\""
+    } else {
+        ", because it lacks a list for each of num_rows times num_cols places, or because the file has faces"
     }
 }
 
@@ -279,8 +267,10 @@ fn role(header: &Header<'_>, element: &Element<'_>) -> Result<Role, ReadError> {
         return list
             .map_or_else(|| malformed("the strips lack the list vertex_indices"), |list| Ok(Role::Strips(list)));
     }
+    // A place of one byte could become 36 bytes of triangles.
+    let is_wide = |column: &Column<'_>| column.length.is_some() || column.number.size() > 1;
     let is_grid = element.is_named("range_grid")
-        && !element.columns.is_empty()
+        && element.columns.first().is_some_and(is_wide)
         && header.grid_rows.checked_mul(header.grid_columns) == Some(element.count)
         && !header
             .elements

@@ -1,6 +1,7 @@
 //! The ZIP package: its parts by name, decompressed while they are read, within a limit.
 
 use crate::error::{Place, ReadError, ReadErrorKind};
+use crate::foreign_files::refuse_foreign_file;
 use rawzip::{CompressionMethod, ZipArchive, ZipArchiveEntryWayfinder, ZipSliceArchive};
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -31,8 +32,7 @@ pub(super) fn part_key(name: &str) -> String {
 
 impl<'a> Package<'a> {
     pub(super) fn open(bytes: &'a [u8]) -> Result<Self, ReadError> {
-        let archive =
-            ZipArchive::from_slice(bytes).map_err(|_| ReadError::malformed(Place::Whole, not_a_package(bytes)))?;
+        let archive = ZipArchive::from_slice(bytes).map_err(|_| not_a_package(bytes))?;
         let mut parts = BTreeMap::new();
         let mut entries = archive.entries();
         loop {
@@ -83,14 +83,18 @@ impl<'a> Package<'a> {
     }
 }
 
-fn not_a_package(bytes: &[u8]) -> &'static str {
-    match bytes {
+fn not_a_package(bytes: &[u8]) -> ReadError {
+    let message = match bytes {
         [] => "the file is empty",
         [b'P', b'K', ..] => "the ZIP package is cut off or damaged: its directory is missing",
-        [b'<', ..] => "this is XML; a 3MF file is a ZIP package of it",
-        [0x1f, 0x8b, ..] => "this file is compressed with gzip; decompress it with gunzip",
-        _ => "this is not a 3MF file, which is a ZIP package",
-    }
+        [b'<', b'?' | b'm', ..] => "this is XML; a 3MF file is a ZIP package of it",
+        _ => {
+            return refuse_foreign_file(bytes).unwrap_or_else(|| {
+                ReadError::malformed(Place::Whole, "this is not a 3MF file, which is a ZIP package")
+            });
+        }
+    };
+    ReadError::malformed(Place::Whole, message)
 }
 
 /// What a reader of a part may still read.

@@ -1,8 +1,9 @@
 //! Reads a package: its model parts, then the scene that its items and components describe.
 
+use super::mf_attributes::attribute;
 use super::mf_model::{Component, Matrix, Model, ResourceId};
 use super::mf_package::{Package, part_key};
-use super::read_mf_model::{ModelReader, attribute};
+use super::read_mf_model::ModelReader;
 use crate::budget::Budget;
 use crate::document::{Document, Placement};
 use crate::error::{Note, Place, ReadError, ReadErrorKind};
@@ -162,7 +163,7 @@ fn place_items(mut model: Model, document: &mut Document, budget: &mut Budget) -
         meshes = meshes.saturating_add(size.meshes);
         visits = visits.saturating_add(size.visits);
     }
-    if budget.take::<Placement>(meshes).is_err() || budget.take::<Component>(visits).is_err() {
+    if budget.take::<Placement>(meshes).is_err() || budget.take::<u64>(visits).is_err() {
         let message = format!("components place {meshes} meshes, which is too many for a file of this size");
         return Err(ReadError::new(ReadErrorKind::TooLarge, message));
     }

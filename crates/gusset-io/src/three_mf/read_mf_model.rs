@@ -1,6 +1,7 @@
 //! Reads the XML of a model part.
 
-use super::mf_model::{Component, Group, Matrix, Model, Object, ResourceId};
+use super::mf_attributes::{attribute, colour_from_text, local_attribute, matrix, missing, whole};
+use super::mf_model::{Component, Group, Model, Object, ResourceId};
 use super::mf_package::{Package, TokenLimit, part_key};
 use super::mf_properties::{TriangleProperties, apply_properties};
 use crate::budget::Budget;
@@ -17,6 +18,9 @@ use std::io::{BufRead, Read};
 /// Units of length in metres.
 pub(super) const UNITS: [(&str, f64); 6] =
     [("micron", 1e-6), ("millimeter", 1e-3), ("centimeter", 1e-2), ("inch", 0.0254), ("foot", 0.3048), ("meter", 1.0)];
+
+/// Most tags inside each other.
+const MAX_DEPTH: usize = 256;
 
 /// State of the reader of one part.
 pub(super) struct ModelReader<'r> {
@@ -107,16 +111,28 @@ impl<'r> ModelReader<'r> {
         let config = xml.config_mut();
         (config.check_comments, config.allow_unmatched_ends, config.allow_dangling_amp) = (false, true, true);
         let mut buffer = Vec::new();
+        let mut depth = 0;
         loop {
             limit.next_token();
             buffer.clear();
             match xml.read_event_into(&mut buffer) {
-                Ok(Event::Start(tag)) => self.start(&tag)?,
+                Ok(Event::Start(tag)) => {
+                    depth += 1;
+                    if depth > MAX_DEPTH {
+                        let message =
+                            format!("the part {} has more than {MAX_DEPTH} tags inside each other", self.part_name);
+                        return Err(ReadError::malformed(Place::Whole, message));
+                    }
+                    self.start(&tag)?;
+                }
                 Ok(Event::Empty(tag)) => {
                     self.start(&tag)?;
                     self.end(tag.local_name().into_inner())?;
                 }
-                Ok(Event::End(tag)) => self.end(tag.local_name().into_inner())?,
+                Ok(Event::End(tag)) => {
+                    depth = depth.saturating_sub(1);
+                    self.end(tag.local_name().into_inner())?;
+                }
                 Ok(Event::Eof) => break,
                 Ok(_) => {}
                 Err(quick_xml::Error::Encoding(_)) => return Ok(true),
@@ -222,7 +238,8 @@ impl<'r> ModelReader<'r> {
         let id = (self.part, whole(tag, "id").ok_or_else(|| missing("an object", "id"))?);
         let kind = attribute(tag, "type").unwrap_or_default();
         let name = attribute(tag, "name").unwrap_or_default();
-        self.budget.take::<(ResourceId, Object, [u64; 4])>(1)?;
+        // Maps of objects and of their sizes take about as much again.
+        self.budget.take::<(ResourceId, Object, [u64; 12])>(1)?;
         self.budget.take::<u8>(4 * name.len() as u64)?;
         let property = whole(tag, "pid").map(|group| (group, whole(tag, "pindex").unwrap_or(0)));
         let is_support = kind.ends_with("support");
@@ -442,56 +459,4 @@ impl<'r> ModelReader<'r> {
         self.model.texture_materials.insert((self.part, id), material);
         Ok(())
     }
-}
-
-fn missing(element: &str, attribute: &str) -> ReadError {
-    ReadError::malformed(Place::Whole, format!("{element} lacks the attribute {attribute}, or it is not a number"))
-}
-
-/// Returns the value of an attribute.
-pub(super) fn attribute(tag: &BytesStart<'_>, name: &str) -> Option<String> {
-    tag.attributes().with_checks(false).flatten().find(|attribute| attribute.key.into_inner() == name).map(value_text)
-}
-
-/// Returns the value of an attribute whose name has a prefix.
-fn local_attribute(tag: &BytesStart<'_>, name: &str) -> Option<String> {
-    tag.attributes()
-        .with_checks(false)
-        .flatten()
-        .find(|attribute| attribute.key.local_name().into_inner() == name)
-        .map(value_text)
-}
-
-#[allow(clippy::needless_pass_by_value)]
-fn value_text(attribute: quick_xml::events::attributes::Attribute<'_>) -> String {
-    match quick_xml::escape::unescape(&attribute.value) {
-        Ok(text) => text.into_owned(),
-        Err(_) => attribute.value.into_owned(),
-    }
-}
-
-fn whole(tag: &BytesStart<'_>, name: &str) -> Option<u32> {
-    attribute(tag, name)?.trim().parse().ok()
-}
-
-/// Reads a matrix of 12 numbers, column by column.
-fn matrix(text: &str) -> Option<Matrix> {
-    let mut m = [0.0; 12];
-    let mut words = text.split_ascii_whitespace();
-    for part in &mut m {
-        *part = number(words.next()?.as_bytes())?;
-    }
-    words.next().is_none().then(|| std::array::from_fn(|row| std::array::from_fn(|column| m[3 * column + row])))
-}
-
-/// Reads `#rrggbb` or `#rrggbbaa`.
-fn colour_from_text(text: &str) -> Option<[f32; 4]> {
-    let digits = text.trim().strip_prefix('#')?;
-    let value = u32::from_str_radix(digits, 16).ok()?;
-    let value = match digits.len() {
-        6 => (value << 8) | 0xff,
-        8 => value,
-        _ => return None,
-    };
-    Some(value.to_be_bytes().map(|part| f32::from(part) / 255.0))
 }

@@ -210,13 +210,13 @@ fn limits_components_that_double() {
     }
     // A long chain is followed.
     let mut objects = format!("<object id=\"0\">{TETRAHEDRON}</object>");
-    for id in 1..50_000 {
+    for id in 1..30_000 {
         objects.push_str(&format!(
             "<object id=\"{id}\"><components><component objectid=\"{}\"/></components></object>",
             id - 1
         ));
     }
-    let chain = read_model(&format!("<resources>{objects}</resources><build><item objectid=\"49999\"/></build>"));
+    let chain = read_model(&format!("<resources>{objects}</resources><build><item objectid=\"29999\"/></build>"));
     assert_eq!(chain.expect("valid").placements.len(), 1);
     assert!(start.elapsed() < PATIENCE);
 }

@@ -12,6 +12,7 @@ use crate::text::TextWriter;
 use rawzip::time::UtcDateTime;
 use rawzip::{CompressionMethod, ZipArchiveWriter};
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::io::{self, Write};
 
 const CONTENT_TYPES: &str = concat!(
@@ -31,8 +32,8 @@ const RELATIONS: &str = concat!(
     "</Relationships>\n"
 );
 
-/// Level of deflate: a higher one takes twice the time for a tenth of the size.
-const COMPRESSION_LEVEL: u32 = 4;
+/// Level of deflate. Level 4 takes twice the time for 9 % less.
+const COMPRESSION_LEVEL: u32 = 2;
 
 pub(crate) fn write_3mf(
     document: &Document,
@@ -177,11 +178,10 @@ impl<'w> ModelWriter<'w> {
         self.materials()?;
         let mut objects: BTreeMap<u32, u32> = BTreeMap::new();
         for placement in &document.placements {
-            if !objects.contains_key(&placement.mesh) {
+            if let Entry::Vacant(entry) = objects.entry(placement.mesh) {
                 let mesh = &document.meshes[placement.mesh as usize];
                 let name = if mesh.name.is_empty() { &placement.name } else { &mesh.name };
-                let id = self.object(mesh, name)?;
-                objects.insert(placement.mesh, id);
+                entry.insert(self.object(mesh, name)?);
             }
         }
         self.out.text("</resources>\n<build>\n")?;

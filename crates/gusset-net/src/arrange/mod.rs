@@ -12,7 +12,7 @@ mod rearranged_matrices;
 mod rearranged_topology;
 mod seams;
 
-pub(crate) use rearranged_matrices::{Rearrangement, build_planes, rearrange_coordinates};
+pub(crate) use rearranged_matrices::{Rearrangement, build_matrices, rearrange_coordinates};
 pub(crate) use rearranged_topology::rows_closed_by_seam;
 pub(crate) use seams::{map_seam, merge_seams};
 
@@ -62,7 +62,7 @@ impl Net<'_> {
         // The error then names both numbers.
         Shape::new(rows.len(), columns.len())?;
         let topology = restrict_topology(self.topology(), &rows, &columns)?;
-        topology.check_crossings()?;
+        topology.check_crossed_cells()?;
         let map = Rearrangement::Part { row: rows.start, column: columns.start };
         let mut part = self.rearranged(&map, topology, job)?;
         for bridge in self.bridges() {
@@ -90,7 +90,7 @@ impl Net<'_> {
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn flipped(&self, axis: Direction, job: &Job<'_>) -> Result<Net<'static>> {
-        let topology = self.topology().map_lines(axis, Topology::flipped_rows)?;
+        let topology = self.topology().map_rows_or_columns(axis, Topology::flipped_rows)?;
         let mut net = self.rearranged(&Rearrangement::Flipped(axis), topology, job)?;
         let flip = |bridge: &Bridge| bridge.flipped(axis, self.shape());
         *net.bridges_mut() = alloc::collect(self.bridges().iter().map(flip))?;
@@ -152,7 +152,7 @@ fn restrict_topology(topology: &Topology, rows: &Range<usize>, columns: &Range<u
     if columns.len() == topology.shape().columns() {
         return Ok(topology);
     }
-    topology.map_lines(Direction::Right, |topology| cut(topology, columns))
+    topology.map_rows_or_columns(Direction::Right, |topology| cut(topology, columns))
 }
 
 impl Bridge {

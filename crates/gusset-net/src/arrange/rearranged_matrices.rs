@@ -17,7 +17,7 @@ const NUMBERS_PER_BLOCK: usize = 1 << 16;
 const MIN_PARALLEL_BYTES: usize = 1 << 25;
 
 /// Creates the matrices X, Y and Z (0, 1, 2), whose rows `write_rows` fills a range at a time.
-pub(crate) fn build_planes<T: Real>(
+pub(crate) fn build_matrices<T: Real>(
     shape: Shape,
     job: &Job<'_>,
     write_rows: impl Fn(usize, Range<usize>, &mut [T]) + Sync,
@@ -118,6 +118,6 @@ pub(crate) fn rearrange_coordinates(
     each!(coordinates, from => {
         let (matrices, stride) = (from.matrices(), from.stride());
         let write = |axis: usize, rows, to: &mut _| rearrangement.write_rows(shape, rows, matrices[axis], stride, to);
-        build_planes(shape, job, write).map(Coordinates::from)
+        build_matrices(shape, job, write).map(Coordinates::from)
     })
 }

@@ -64,7 +64,11 @@ impl Topology {
 
     /// Applies a map of rows to the rows (`Down`) or, through the transposed topology, to the
     /// columns.
-    pub(crate) fn map_lines(&self, axis: Direction, map: impl FnOnce(&Topology) -> Result<Topology>) -> Result<Self> {
+    pub(crate) fn map_rows_or_columns(
+        &self,
+        axis: Direction,
+        map: impl FnOnce(&Topology) -> Result<Topology>,
+    ) -> Result<Self> {
         match axis {
             Direction::Down => map(self),
             Direction::Right => map(&self.transposed()?)?.transposed(),
@@ -93,7 +97,8 @@ impl Topology {
             }),
             ContractedLinks::Matrix(matrix) => {
                 let last_row = shape.horizontal_link(rows.len() - 1, 0);
-                let within = matrix.links_in(first..first + 2 * shape.node_count() as u32).map(|link| link - first);
+                let within =
+                    matrix.contracted_links_in(first..first + 2 * shape.node_count() as u32).map(|link| link - first);
                 // A link down from the last row leaves the part, unless it closes all rows.
                 let kept = within.filter(|&link| link < last_row || link % 2 == 0 || whole);
                 ContractedLinks::Matrix(LinkMatrix::from_links(shape, kept)?)

@@ -10,7 +10,7 @@ use gusset_base::geom::disjoint_sets::{DisjointSets, ParitySets};
 
 /// Returns the number of connected components; 1 if all cells exist. O(nodes).
 pub(super) fn count_components(classes: &NodeClasses, presence: &CellPresence) -> Result<u64> {
-    if presence.is_all() {
+    if presence.has_all_cells() {
         return Ok(1);
     }
     let shape = classes.shape();

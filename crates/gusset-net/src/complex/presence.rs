@@ -32,7 +32,7 @@ impl CellPresence {
     }
 
     /// Returns true if all cells exist.
-    pub(super) fn is_all(&self) -> bool {
+    pub(super) fn has_all_cells(&self) -> bool {
         self.cells.is_none()
     }
 

@@ -40,7 +40,7 @@ pub fn net_of_grid(mesh: &MeshView<'_>, seed: Option<u32>, job: &Job<'_>) -> Res
     job.step(0.8, STAGE)?;
     if seed.is_none() {
         let mut visited = alloc::filled(false, mesh.faces().len())?;
-        grid.faces(&walker).for_each(|face| visited[face as usize] = true);
+        grid.faces_by_cell(&walker).for_each(|face| visited[face as usize] = true);
         if let Some(face) = visited.iter().position(|visited| !visited) {
             return Err(Error::NoGrid { face: face as u32 });
         }
@@ -223,13 +223,13 @@ impl QuadGrid {
     }
 
     /// Adds the row that starts with a cell.
-    fn add_row(&mut self, walker: &QuadWalker<'_>, head: u32) -> Result<()> {
+    fn add_row(&mut self, walker: &QuadWalker<'_>, first_cell: u32) -> Result<()> {
         let start = self.cells.len();
-        let mut at = head;
+        let mut at = first_cell;
         let closed = loop {
             alloc::push(&mut self.cells, at)?;
             match walker.neighbour_of_quad(at, GridHeading::Right)? {
-                CellNeighbour::Quad(next) if next == head => break true,
+                CellNeighbour::Quad(next) if next == first_cell => break true,
                 CellNeighbour::Quad(next) => at = next,
                 CellNeighbour::Border => break false,
                 CellNeighbour::Triangle(h) => return Err(walker.no_grid_error(h)),
@@ -239,7 +239,11 @@ impl QuadGrid {
         if start == 0 {
             (self.columns, self.rows_closed) = (columns, closed);
         }
-        if (columns, closed) == (self.columns, self.rows_closed) { Ok(()) } else { Err(walker.no_grid_error(head)) }
+        if (columns, closed) == (self.columns, self.rows_closed) {
+            Ok(())
+        } else {
+            Err(walker.no_grid_error(first_cell))
+        }
     }
 
     /// Verifies that each cell is above the next one of its column, that rows start at the border,
@@ -308,7 +312,7 @@ impl QuadGrid {
     }
 
     /// Returns the faces, cell by cell.
-    fn faces(&self, walker: &QuadWalker<'_>) -> impl Iterator<Item = u32> {
+    fn faces_by_cell(&self, walker: &QuadWalker<'_>) -> impl Iterator<Item = u32> {
         let [top, bottom] = self.poles.each_ref().map(|pole| pole.as_deref().unwrap_or_default());
         top.iter().chain(&self.cells).chain(bottom).map(|&h| walker.face_of(h))
     }
@@ -320,7 +324,7 @@ impl QuadGrid {
         let rows = quads + 1 + usize::from(poles[0]) + usize::from(poles[1]);
         let shape = Shape::new(rows, self.columns + 1)?;
         let vertex_of_node = self.vertices_of_nodes(walker, shape)?;
-        let face_of_cell = alloc::gather(self.faces(walker))?;
+        let face_of_cell = alloc::gather(self.faces_by_cell(walker))?;
         job.step(0.3, STAGE)?;
         let topology = self.build_topology(shape, &vertex_of_node, walker.mesh.positions().len())?;
         job.step(0.6, STAGE)?;

@@ -1,6 +1,6 @@
 //! Nets of height fields. O(nodes).
 
-use crate::arrange::build_planes;
+use crate::arrange::build_matrices;
 use crate::{Coordinates, Net, Real, Shape, Sides, Topology, XyzMatrices, each};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
@@ -54,7 +54,7 @@ where
     }
     let columns = shape.columns();
     let stride = if stride == 0 { columns } else { stride };
-    let matrices = build_planes(shape, job, |axis, rows, to: &mut [T]| {
+    let matrices = build_matrices(shape, job, |axis, rows, to: &mut [T]| {
         for (i, to) in rows.zip(to.chunks_exact_mut(columns)) {
             match axis {
                 0 => to.iter_mut().enumerate().for_each(|(j, x)| *x = T::from_f64(origin.x + j as f64 * dx)),

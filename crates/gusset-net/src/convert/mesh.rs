@@ -217,7 +217,7 @@ impl VertexNodes {
     }
 
     /// Returns the node that gives the class its position.
-    fn position_node(&self, class: u32) -> u32 {
+    fn node_with_position(&self, class: u32) -> u32 {
         match self.elsewhere.binary_search_by_key(&class, |entry| entry[0]) {
             Ok(at) => self.elsewhere[at][1],
             Err(_) => class,
@@ -225,7 +225,7 @@ impl VertexNodes {
     }
 
     fn has_position(&self, class: u32) -> bool {
-        self.finite[self.position_node(class) as usize]
+        self.finite[self.node_with_position(class) as usize]
     }
 }
 
@@ -326,7 +326,7 @@ impl<T: Real> FaceBuilder<'_, T> {
     }
 
     fn vertex_position(&self, node: u32) -> DVec3 {
-        let node = self.places.position_node(self.classes[node as usize]);
+        let node = self.places.node_with_position(self.classes[node as usize]);
         self.planes.get((node / self.columns) as usize, (node % self.columns) as usize)
     }
 
@@ -449,7 +449,7 @@ impl<T: Real> FaceBuilder<'_, T> {
             self.nodes[range].iter_mut().for_each(|node| *node = vertex[*node as usize]);
             Ok(())
         })?;
-        let nodes = node_of_vertex.iter().map(|&node| self.places.position_node(node));
+        let nodes = node_of_vertex.iter().map(|&node| self.places.node_with_position(node));
         let positions = collect_positions(self.planes, nodes, &part(0.8, 1.0))?;
         let mesh = Mesh::new(positions, self.offsets, self.nodes);
         let columns = self.planes.shape().columns();

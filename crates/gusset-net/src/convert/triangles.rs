@@ -193,7 +193,7 @@ impl TriangleSurface {
         };
         let (mark, mut refused) = (labels.trail.len(), no_grid_error(3 * face));
         for h in 3 * face..3 * face + 3 {
-            labels.undo_to(mark);
+            labels.undo_labels_after(mark);
             if labels.of[h as usize] != EdgeLabel::Unknown {
                 continue;
             }
@@ -246,7 +246,7 @@ impl<'a> EdgeLabels<'a> {
         for h in 0..count as u32 {
             if surface.mates[h as usize] == NONE {
                 labels.of[h as usize] = EdgeLabel::Side;
-            } else if labels.is_polar(h / 3) {
+            } else if labels.is_pole_triangle(h / 3) {
                 labels.set_label(h, EdgeLabel::Side)?;
             }
         }
@@ -260,7 +260,7 @@ impl<'a> EdgeLabels<'a> {
     }
 
     /// Returns true for a triangle at a pole.
-    fn is_polar(&self, face: u32) -> bool {
+    fn is_pole_triangle(&self, face: u32) -> bool {
         (3 * face..3 * face + 3).any(|h| self.poles.contains(&self.surface.starts[h as usize]))
     }
 
@@ -279,7 +279,7 @@ impl<'a> EdgeLabels<'a> {
     }
 
     /// Removes labels until `mark` are left.
-    fn undo_to(&mut self, mark: usize) {
+    fn undo_labels_after(&mut self, mark: usize) {
         while self.trail.len() > mark {
             let Some(h) = self.trail.pop() else { return };
             for end in self.surface.end_vertices(h) {
@@ -310,7 +310,7 @@ impl<'a> EdgeLabels<'a> {
     fn apply_face_rule(&mut self, face: u32) -> Result<()> {
         let sides = 3 * face..3 * face + 3;
         let count = |labels: &Self, label| sides.clone().filter(|&h| labels.of[h as usize] == label).count();
-        if self.is_polar(face) {
+        if self.is_pole_triangle(face) {
             return if count(self, EdgeLabel::Diagonal) == 0 { Ok(()) } else { Err(no_grid_error(3 * face)) };
         }
         let label = match (count(self, EdgeLabel::Diagonal), count(self, EdgeLabel::Unknown)) {
@@ -368,7 +368,7 @@ impl<'a> EdgeLabels<'a> {
             let mark = self.trail.len();
             match self.set_label(h, EdgeLabel::Diagonal).and_then(|()| self.propagate_labels(job)) {
                 Err(Error::NoGrid { .. }) => {
-                    self.undo_to(mark);
+                    self.undo_labels_after(mark);
                     self.set_label(h, EdgeLabel::Side)?;
                     self.propagate_labels(job)?;
                 }

@@ -96,7 +96,7 @@ pub fn torus_wrap(axis: Axis, major: f64, minor: f64) -> Result<impl Field> {
     check_positive("minor", minor)?;
     Ok(move |strength: f64, points: PointsMut<'_>| {
         let [tube, ring] = progress_of_two_stages(strength);
-        let place = PlacementOnAxis::new(strength, major + minor);
+        let place = RigidMotionToAxis::new(strength, major + minor);
         map_each_point(axis.permute_axis_last(points), |[u, v, w]| {
             if strength == 1.0 {
                 let (round_sine, round_cosine) = libm::sincos(u / major);
@@ -108,7 +108,7 @@ pub fn torus_wrap(axis: Axis, major: f64, minor: f64) -> Result<impl Field> {
             let [along, height] = roll_line_to_arc(tube / minor, [v, w]);
             // The middle of the tube is the line that keeps its length.
             let [round, out] = roll_line_to_arc(ring / major, [u, height + minor]);
-            place.apply([round, along, out - minor])
+            place.move_point([round, along, out - minor])
         });
     })
 }
@@ -130,7 +130,7 @@ pub fn sphere_wrap(axis: Axis, radius: f64) -> Result<impl Field> {
     check_positive("radius", radius)?;
     Ok(move |strength: f64, points: PointsMut<'_>| {
         let [tube, meridian] = progress_of_two_stages(strength);
-        let place = PlacementOnAxis::new(strength, radius);
+        let place = RigidMotionToAxis::new(strength, radius);
         map_each_point(axis.permute_axis_last(points), |[u, v, w]| {
             if strength == 1.0 {
                 let (round_sine, round_cosine) = libm::sincos(u / radius);
@@ -140,7 +140,7 @@ pub fn sphere_wrap(axis: Axis, radius: f64) -> Result<impl Field> {
             }
             let [along, height] = roll_line_to_arc(meridian / radius, [v, w]);
             let [round, out] = roll_line_to_arc(tube / radius, [u, height]);
-            place.apply([round, along, out])
+            place.move_point([round, along, out])
         });
     })
 }
@@ -178,22 +178,22 @@ fn progress_of_two_stages(strength: f64) -> [f64; 2] {
 /// The rigid motion that takes a sheet to its place about the axis, at a given strength. It is a
 /// rotation by a third of a turn about (1, 1, 1), which takes each axis to the next, and a
 /// displacement along the first axis.
-struct PlacementOnAxis {
+struct RigidMotionToAxis {
     /// The first row of the rotation; the other rows are cyclic shifts of it.
     row: [f64; 3],
     displacement: f64,
 }
 
-impl PlacementOnAxis {
+impl RigidMotionToAxis {
     fn new(strength: f64, displacement: f64) -> Self {
         let (sine, cosine) = libm::sincos(strength * (TAU / 3.0));
         let (rest, across) = ((1.0 - cosine) / 3.0, sine / 3.0f64.sqrt());
         let row = [(1.0 + 2.0 * cosine) / 3.0, rest - across, rest + across];
-        PlacementOnAxis { row, displacement: strength * displacement }
+        RigidMotionToAxis { row, displacement: strength * displacement }
     }
 
     #[inline(always)]
-    fn apply(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+    fn move_point(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         let [a, b, c] = self.row;
         [a * x + b * y + c * z + self.displacement, c * x + a * y + b * z, b * x + c * y + a * z]
     }

@@ -101,7 +101,7 @@ pub(super) fn restore_net(
 impl NetAdaptation {
     /// Returns the topology that the net was joined with.
     fn adapted_topology(&self, direction: Direction) -> Result<Topology> {
-        self.topology.map_lines(direction.transposed(), |topology| {
+        self.topology.map_rows_or_columns(direction.transposed(), |topology| {
             let flipped = if self.flipped { topology.flipped_rows()? } else { topology.clone() };
             let along = direction.extents_along_and_across(self.joined).1;
             let replicated = flipped.replicate_rows(&starts_from_copies(along, &self.copies)?)?;
@@ -119,7 +119,7 @@ fn rotate_net(net: &Net<'_>, direction: Direction, twist: u32, job: &Job<'_>) ->
     let closed = |k: usize| net.topology().is_contracted(axis.link_across(shape, count - 1, k));
     Error::require((0..along).all(closed), "twist", twist.into())?;
     each!(net.coordinates(), planes => check_axis_closed(planes, axis))?;
-    let topology = net.topology().map_lines(axis, |topology| rotate_rows(topology, place))?;
+    let topology = net.topology().map_rows_or_columns(axis, |topology| rotate_rows(topology, place))?;
     let lines = alloc::collect((0..count).map(|i| ((i + place) % (count - 1)) as u32))?;
     let mut made = net.with_lines(axis, &lines, topology, job)?;
     // Bridges along the side rotate with it; others would be cut.

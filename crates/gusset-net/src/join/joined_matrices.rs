@@ -1,6 +1,6 @@
 //! Coordinates of joined nets, bit for bit. O(nodes), bound by memory.
 
-use crate::arrange::build_planes;
+use crate::arrange::build_matrices;
 use crate::reformat::prefix_sums;
 use crate::{Coordinates, Direction, Net, Real, Shape, XyzMatrices};
 use gusset_base::alloc;
@@ -44,9 +44,9 @@ fn place_side_by_side<T: Real>(
     let columns = shape.columns();
     match direction {
         Direction::Down => {
-            build_planes(shape, job, |axis, rows, to| copy_rows(parts, &starts, axis, rows, columns, to))
+            build_matrices(shape, job, |axis, rows, to| copy_rows_of_nets(parts, &starts, axis, rows, columns, to))
         }
-        Direction::Right => build_planes(shape, job, |axis, rows, to| {
+        Direction::Right => build_matrices(shape, job, |axis, rows, to| {
             for (part, &start) in parts.iter().zip(&starts) {
                 let (from, stride, width) = (part.matrices()[axis], part.stride(), part.shape().columns());
                 for (i, to) in rows.clone().zip(to.chunks_exact_mut(columns)) {
@@ -68,7 +68,7 @@ pub(crate) fn starts_of_nets(
 }
 
 /// Fills rows from the nets that lie one below the other.
-fn copy_rows<T: Real>(
+fn copy_rows_of_nets<T: Real>(
     parts: &[&XyzMatrices<'_, T>],
     starts: &[usize],
     axis: usize,

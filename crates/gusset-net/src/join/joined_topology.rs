@@ -20,7 +20,7 @@ pub(super) fn join_topologies(nets: &[&Net<'_>], direction: Direction, weld: boo
     let stacked = stack_topologies(&topologies, weld, inner as usize)?;
     let topology = if direction == Direction::Down { stacked } else { stacked.transposed()? };
     if weld {
-        topology.check_crossings()?;
+        topology.check_crossed_cells()?;
     }
     Ok(topology)
 }
@@ -120,7 +120,7 @@ pub(super) fn with_bridge_welded(topology: &Topology, bridge: &Bridge, weld: boo
     }
     let seams = alloc::copied(topology.seams())?;
     let topology = Topology::assemble_unchecked(shape, ContractedLinks::Matrix(matrix), seams, topology.is_reversed());
-    topology.check_crossings()?;
+    topology.check_crossed_cells()?;
     Ok(topology)
 }
 

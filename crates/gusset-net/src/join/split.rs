@@ -80,7 +80,7 @@ fn cut_at_bridges(net: &Net<'_>, direction: Direction, removed: &[usize], job: &
     let mut parts = alloc::with_capacity(ranges.len())?;
     for (k, ((range, topology), bridges)) in ranges.iter().zip(topologies).zip(bridges).enumerate() {
         if welded || crossed[k] {
-            topology.check_crossings()?;
+            topology.check_crossed_cells()?;
         }
         let (row, column) = direction.order_along_first(range.start, 0);
         let map = Rearrangement::Part { row, column };

@@ -72,7 +72,7 @@ pub fn bilinear_area(net: &Net<'_>, job: &Job<'_>) -> Result<BilinearArea> {
         let mut sum = BilinearArea::default();
         for i in rows {
             for j in hidden.visible_runs(i).flatten() {
-                let [a, b, c, d] = each!(net.coordinates(), planes => planes.corners(i, j));
+                let [a, b, c, d] = each!(net.coordinates(), planes => planes.cell_corners(i, j));
                 if ((a + c) + (b + d)).is_finite() {
                     sum = sum.add(patch_area([a, b, c, d]));
                 }

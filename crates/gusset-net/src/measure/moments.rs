@@ -42,7 +42,7 @@ pub fn moments(net: &Net<'_>, job: &Job<'_>) -> Result<Moments> {
     let row = |i: usize| {
         let cells = hidden.visible_runs(i).flatten();
         cells.fold(VolumeIntegrals::default(), |sums, j| {
-            let points = each!(net.coordinates(), planes => planes.corners(i, j).map(|point| point - origin));
+            let points = each!(net.coordinates(), planes => planes.cell_corners(i, j).map(|point| point - origin));
             if points.iter().all(|point| point.is_finite()) { sums.add(patch_integrals(points)) } else { sums }
         })
     };

@@ -37,7 +37,7 @@ pub fn planarity(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Planari
     let mut cells = alloc::filled(f64::NAN, shape.cell_count())?;
     chunks::map_rows(&mut cells, columns, (job, "planarity"), |i, row| {
         for j in hidden.visible_runs(i).flatten() {
-            row[j] = each!(net.coordinates(), planes => relative_plane_distance(planes.corners(i, j)));
+            row[j] = each!(net.coordinates(), planes => relative_plane_distance(planes.cell_corners(i, j)));
         }
     })?
     .for_each(drop);

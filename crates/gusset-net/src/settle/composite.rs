@@ -169,7 +169,7 @@ impl CompositeBuilder<'_> {
         if is_rigid(bridge) {
             return Ok(());
         }
-        let law = self.relative_law(index)?;
+        let law = self.scaled_elastic_law(index)?;
         let before = self.composite.model.element_counts();
         self.number_inner_vertices(bridge)?;
         let is_film = bridge.kind == BridgeKind::Tube;
@@ -194,7 +194,7 @@ impl CompositeBuilder<'_> {
     }
 
     /// Returns the properties in the unit, relative to the largest.
-    fn relative_law(&self, index: usize) -> Result<ElasticLaw> {
+    fn scaled_elastic_law(&self, index: usize) -> Result<ElasticLaw> {
         let bridge = &self.net.bridges()[index];
         let (p, unit) = (bridge.properties, self.surface.unit);
         let film = film_unit_length(bridge, unit);
@@ -276,7 +276,7 @@ impl CompositeBuilder<'_> {
             for end in 0..2 {
                 let side = points[end * (points.len() - 1)];
                 let before = centres[end].or_else(|| self.node_beside_end(place, end, k));
-                end_targets[end] = before.map(|before| self.add_end_target(side, before, h)).transpose()?.flatten();
+                end_targets[end] = before.map(|before| self.add_clamp_target(side, before, h)).transpose()?.flatten();
             }
         }
         alloc::push(&mut self.composite.model.lines, BridgeLine { points, rests, spacing: h, end_targets, law })
@@ -315,7 +315,7 @@ impl CompositeBuilder<'_> {
     /// Adds the target of a line's end: a point at distance `h` from the side's point, in the
     /// direction from `before` to the side's point. The target moves with the side's body. Returns
     /// `None` if both points coincide.
-    fn add_end_target(&mut self, side: u32, before: DVec3, h: f64) -> Result<Option<u32>> {
+    fn add_clamp_target(&mut self, side: u32, before: DVec3, h: f64) -> Result<Option<u32>> {
         let composite = &mut self.composite;
         let (at, slot) = (composite.points[side as usize], composite.model.slots[side as usize]);
         if at.distance(before) <= MIN_RELATIVE_LENGTH {

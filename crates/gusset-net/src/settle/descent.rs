@@ -37,7 +37,7 @@ pub(super) fn descend_to_equilibrium(
         return Ok(descent);
     }
     let model = &composite.model;
-    let mut energy = model.energies(&composite.points).total_energy();
+    let mut energy = model.bridge_energies(&composite.points).total_energy();
     let are_held = model.translations.iter().all(|&unknown| unknown == NO_BODY);
     let mut anderson = AndersonAcceleration::default();
     let at = |k: u32| 1.0 - 0.9f64.powi(k as i32);
@@ -54,7 +54,7 @@ pub(super) fn descend_to_equilibrium(
         };
         let mut turned = (alloc::copied(&next.0)?, alloc::copied(&next.1)?);
         rotate_bodies(model, &terms, &mut turned.0, &mut turned.1);
-        let after = model.energies(&turned.0).total_energy();
+        let after = model.bridge_energies(&turned.0).total_energy();
         if after <= next.2 {
             next = (turned.0, turned.1, after);
         }
@@ -67,7 +67,7 @@ pub(super) fn descend_to_equilibrium(
             let unknowns = current_unknowns(composite)?;
             if let Some(step) = anderson.accelerate_step(&unknowns, &step)? {
                 let (x, motions) = model.displace_points(x, motions, &step, 1.0)?;
-                let after = model.energies(&x).total_energy();
+                let after = model.bridge_energies(&x).total_energy();
                 if after < next.2 {
                     next = (x, motions, after);
                 }
@@ -131,7 +131,7 @@ fn halve_until_lower(
     for _ in 0..MAX_STEP_HALVINGS {
         job.part(1.0, 1.0).step(0.0, "settle")?;
         let (x, motions) = composite.model.displace_points(&composite.points, &composite.motions, step, part)?;
-        let after = composite.model.energies(&x).total_energy();
+        let after = composite.model.bridge_energies(&x).total_energy();
         if after <= energy * (1.0 + RELATIVE_ENERGY_ROUNDING) {
             return Ok(Some((x, motions, after)));
         }

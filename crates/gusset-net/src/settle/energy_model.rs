@@ -53,7 +53,7 @@ impl EnergyModel {
         }
     }
 
-    pub(super) fn energies(&self, x: &[DVec3]) -> BridgeEnergies {
+    pub(super) fn bridge_energies(&self, x: &[DVec3]) -> BridgeEnergies {
         let mut sum = BridgeEnergies::default();
         self.lines.iter().for_each(|line| line.add_energies(x, &mut sum));
         self.quads.iter().for_each(|quad| sum.tension += quad.film_energy(x));

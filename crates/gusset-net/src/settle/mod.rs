@@ -118,9 +118,9 @@ pub fn settle(net: &mut Net<'_>, options: &SettleOptions<'_>, job: &Job<'_>) -> 
     let tolerance = if tolerance == 0.0 { DEFAULT_TOLERANCE } else { tolerance } * surface.size;
     let max = if options.max_iterations == 0 { DEFAULT_ITERATIONS } else { options.max_iterations };
     let [energy_unit, force_unit] = composite.energy_unit;
-    let energy_before = composite.model.energies(&composite.points).total_energy();
+    let energy_before = composite.model.bridge_energies(&composite.points).total_energy();
     let done = descend_to_equilibrium(&mut composite, tolerance, max, &job.part(0.2, 0.95))?;
-    let after = composite.model.energies(&composite.points);
+    let after = composite.model.bridge_energies(&composite.points);
     let collapsed = composite.count_collapsed_films();
     let mut moved = composite.vertex_positions(surface.positions.len())?;
     surface.round_to_scalar(&mut moved, net.coordinates().scalar());

@@ -42,7 +42,7 @@ impl DuplicateNodes {
     }
 
     /// Calls `visit` with the column of each duplicate of row `i` and the node that it repeats.
-    pub(super) fn for_each_in_row(&self, i: usize, mut visit: impl FnMut(usize, u32)) {
+    pub(super) fn for_each_duplicate_in_row(&self, i: usize, mut visit: impl FnMut(usize, u32)) {
         let start = self.shape.node(i, 0);
         let end = start + self.shape.columns() as u32;
         let from = self.pairs.partition_point(|pair| pair[0] < start);
@@ -51,7 +51,7 @@ impl DuplicateNodes {
     }
 
     /// Returns true if duplicates equal the nodes that they repeat bit for bit.
-    pub(super) fn are_exact<T: CoordinateBits>(&self, planes: &XyzMatrices<'_, T>) -> bool {
+    pub(super) fn are_bit_identical<T: CoordinateBits>(&self, planes: &XyzMatrices<'_, T>) -> bool {
         let levels = |node: u32| {
             let (i, j) = self.shape.place(node);
             planes.row(i).map(|row| row[j].to_level())
@@ -63,7 +63,8 @@ impl DuplicateNodes {
     pub(super) fn restore_rows<T: CoordinateBits>(&self, planes: &mut XyzMatrices<'_, T>, rows: Range<usize>) {
         let w = self.shape.columns();
         for matrix in planes.matrices_mut() {
-            rows.clone().for_each(|i| self.for_each_in_row(i, |j, first| matrix[i * w + j] = matrix[first as usize]));
+            rows.clone()
+                .for_each(|i| self.for_each_duplicate_in_row(i, |j, first| matrix[i * w + j] = matrix[first as usize]));
         }
     }
 }
@@ -91,7 +92,7 @@ impl<T: CoordinateBits, L: LevelMap<T>> BlockCoding<'_, T, L> {
                 }
             }
         }
-        self.duplicates.for_each_in_row(i, |j, _| row.nodes[j] = NodeState::Duplicate);
+        self.duplicates.for_each_duplicate_in_row(i, |j, _| row.nodes[j] = NodeState::Duplicate);
     }
 
     fn sample_rows(&self, rows: Range<usize>, count: usize) -> Result<NodeSample> {
@@ -168,7 +169,7 @@ pub(super) fn decode_block<T: CoordinateBits>(
     let mut row = NodeRow::new(columns)?;
     for (k, i) in info.block_rows(block).enumerate() {
         row.nodes.fill(NodeState::Coded);
-        duplicates.for_each_in_row(i, |j, _| row.nodes[j] = NodeState::Duplicate);
+        duplicates.for_each_duplicate_in_row(i, |j, _| row.nodes[j] = NodeState::Duplicate);
         state.code_row(&mut coder, &mut row, levels, may_miss, normalised_place(i, info.shape.rows()));
         let mut to = to.each_mut().map(|matrix| &mut matrix[k * columns..(k + 1) * columns]);
         if !store_row(&row, levels, &mut to) {

@@ -68,7 +68,7 @@ pub(super) trait LevelMap<T>: Sync {
     /// Returns the level nearest to a finite value.
     fn nearest_level(&self, axis: usize, value: f64) -> i64;
     /// Returns the spacing of values near this one.
-    fn resolution(&self, value: f64) -> f64;
+    fn value_spacing(&self, value: f64) -> f64;
     /// Returns true for a node that is marked as missing and not coded.
     fn is_missing(&self, node: [T; 3]) -> bool;
     /// Returns the coordinates that missing nodes get.
@@ -103,7 +103,7 @@ impl<T: CoordinateBits> LevelMap<T> for LosslessLevels<T> {
         T::from_f64(value).to_level()
     }
 
-    fn resolution(&self, value: f64) -> f64 {
+    fn value_spacing(&self, value: f64) -> f64 {
         if value.abs() > 1e-290 { value.abs() * if T::SIZE == 4 { 6e-8 } else { 1.1e-16 } } else { 1e-300 }
     }
 
@@ -155,7 +155,7 @@ impl<T: CoordinateBits> LevelMap<T> for UniformLevels {
         (value + 0.5) as i64
     }
 
-    fn resolution(&self, _: f64) -> f64 {
+    fn value_spacing(&self, _: f64) -> f64 {
         1.0
     }
 

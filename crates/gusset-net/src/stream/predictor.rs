@@ -23,7 +23,7 @@ pub(super) const MARGIN_NODES_BEFORE: usize = 2;
 const MARGIN_NODES_AFTER: usize = 2;
 
 /// The largest magnitude of a weight.
-const MAX_WEIGHT: f64 = 64.0;
+const MAX_WEIGHT_MAGNITUDE: f64 = 64.0;
 
 /// The weights of one coordinate, in units of 2^-fraction. First the weights of N, NW, NE, WW, NN,
 /// NEE, NWW, then three for the error of each earlier coordinate: constant, times the column, times
@@ -40,10 +40,11 @@ impl Predictor {
         [1.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
 
     /// Weights rounded to `fraction` bits after the binary point, at most 24; those above
-    /// [`MAX_WEIGHT`] or not finite become 0.
+    /// [`MAX_WEIGHT_MAGNITUDE`] or not finite become 0.
     pub(super) fn new(weights: &[f64; WEIGHT_COUNT], fraction: u32) -> Self {
         let one = f64::from(1u32 << fraction);
-        let whole = |weight: f64| if weight.abs() <= MAX_WEIGHT { libm::rint(weight * one) as i32 } else { 0 };
+        let whole =
+            |weight: f64| if weight.abs() <= MAX_WEIGHT_MAGNITUDE { libm::rint(weight * one) as i32 } else { 0 };
         Predictor { weights: weights.map(whole), fraction }
     }
 
@@ -62,7 +63,7 @@ impl Predictor {
         let mut predictor = Predictor { weights: [0; WEIGHT_COUNT], fraction };
         for k in 0..NEIGHBOUR_COUNT + WEIGHTS_PER_ERROR * before {
             predictor.weights[k] = from.read_signed_i32()?;
-            if predictor.weight(k).abs() > MAX_WEIGHT {
+            if predictor.weight(k).abs() > MAX_WEIGHT_MAGNITUDE {
                 return Err(from.error_here("a predictor's weight is too large"));
             }
         }
@@ -106,7 +107,7 @@ impl CoordinateRows {
         }
         for k in 0..MARGIN_NODES_BEFORE {
             self.here[k] =
-                finite_sum(self.north[k], self.north[MARGIN_NODES_BEFORE] - self.north2[MARGIN_NODES_BEFORE]);
+                sum_or_first(self.north[k], self.north[MARGIN_NODES_BEFORE] - self.north2[MARGIN_NODES_BEFORE]);
         }
     }
 
@@ -156,7 +157,7 @@ impl CoordinateRows {
         for run in known.chunk_by(|a, b| a == b) {
             let (is_gap, end) = (!run[0], start + run.len());
             if is_gap {
-                self.fill_gap(start, end, known.len());
+                self.fill_missing_run(start, end, known.len());
             }
             start = end;
         }
@@ -164,7 +165,7 @@ impl CoordinateRows {
 
     /// Fills nodes `start..end` of a row of `columns`: linearly between known nodes, constant at
     /// the ends, from the row above in an empty row.
-    fn fill_gap(&mut self, start: usize, end: usize, columns: usize) {
+    fn fill_missing_run(&mut self, start: usize, end: usize, columns: usize) {
         let row = &mut self.here[MARGIN_NODES_BEFORE..];
         if start == 0 && end == columns {
             return row[..end].copy_from_slice(&self.north[MARGIN_NODES_BEFORE..MARGIN_NODES_BEFORE + columns]);
@@ -179,11 +180,11 @@ impl CoordinateRows {
 
 /// Linear extrapolation beyond `last`.
 fn extrapolate(last: f64, before: f64) -> f64 {
-    finite_sum(last, last - before)
+    sum_or_first(last, last - before)
 }
 
 /// Returns the sum, or its first term if the sum is not finite.
-fn finite_sum(a: f64, b: f64) -> f64 {
+fn sum_or_first(a: f64, b: f64) -> f64 {
     if (a + b).is_finite() { a + b } else { a }
 }
 

@@ -87,7 +87,7 @@ impl NodeSample {
                 });
             }
         }
-        scale_differences(&mut points, state.map(|line| levels.resolution(max_magnitude_in_row(&line))));
+        scale_differences(&mut points, state.map(|line| levels.value_spacing(max_magnitude_in_row(&line))));
         let nodes_per_point = (rows.len() * columns) as f64 / points.len().max(1) as f64;
         Ok(NodeSample { points, nodes_per_point })
     }

@@ -38,7 +38,7 @@ pub(super) fn quantisation_levels<T: CoordinateBits>(
         if let Some((origin, step)) = intrinsic_step(planes, axis, grid.step[axis])? {
             let mut finer = grid;
             (finer.origin[axis], finer.step[axis]) = (origin, step);
-            if is_exact_enough(planes, axis, &finer, grid.step[axis] / 2.0) {
+            if is_rounding_within_tolerance(planes, axis, &finer, grid.step[axis] / 2.0) {
                 grid = finer;
             }
         }
@@ -99,7 +99,7 @@ fn intrinsic_step<T: CoordinateBits>(
 }
 
 /// Returns true if rounding to the levels moves the coordinates of an axis by at most `tolerance`.
-fn is_exact_enough<T: CoordinateBits>(
+fn is_rounding_within_tolerance<T: CoordinateBits>(
     planes: &XyzMatrices<'_, T>,
     axis: usize,
     grid: &UniformLevels,

@@ -53,7 +53,7 @@ impl StreamPrelude {
         if from.read_bytes(usize::try_from(padding).unwrap_or(usize::MAX))?.iter().any(|&byte| byte != 0) {
             return Err(from.error_here("the padding before the first block is not zero"));
         }
-        let (entries, end) = read_table(&info, ByteReader::new(table, table_at))?;
+        let (entries, end) = read_block_table(&info, ByteReader::new(table, table_at))?;
         if let Some(total) = total.filter(|&total| total != end) {
             return Err(bad_stream_error("the length of its blocks differs from the table", end.min(total)));
         }
@@ -104,7 +104,7 @@ impl StreamPrelude {
 }
 
 /// Returns the table of blocks, and the end of the last one.
-fn read_table(info: &StreamInfo, mut from: ByteReader<'_>) -> Result<(Vec<BlockTableEntry>, u64)> {
+fn read_block_table(info: &StreamInfo, mut from: ByteReader<'_>) -> Result<(Vec<BlockTableEntry>, u64)> {
     let mut entries = alloc::with_capacity(info.block_count())?;
     let mut offset = info.prelude_size;
     for _ in 0..info.block_count() {

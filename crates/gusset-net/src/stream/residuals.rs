@@ -21,7 +21,7 @@ const CLASS_EXTRA_BITS: [u32; MAGNITUDE_CLASSES] = [0, 0, 0, 0, 0, 0, 0, 0, 1, 1
 /// Contexts of expected magnitude: two for each power of two.
 const MAGNITUDE_CONTEXTS: usize = 64;
 /// Contexts of the ratio of observed to expected magnitude in the other coordinates of the node.
-pub(super) const RATIO_CLASSES: usize = 4;
+pub(super) const RATIO_CLASS_COUNT: usize = 4;
 
 /// The sum of the weights of neighbouring magnitudes: expected magnitudes are in units of 1 / this.
 const EXPECTATION_DENOMINATOR: u64 = 10;
@@ -35,8 +35,8 @@ impl ResidualCoder {
     /// # Errors
     /// [`Error::OutOfMemory`](gusset_base::Error::OutOfMemory).
     pub(super) fn new() -> Result<Self> {
-        let model = |at: usize| SymbolModel::new(geometric_prior(at / RATIO_CLASSES));
-        Ok(ResidualCoder { models: alloc::collect((0..MAGNITUDE_CONTEXTS * RATIO_CLASSES).map(model))? })
+        let model = |at: usize| SymbolModel::new(geometric_prior(at / RATIO_CLASS_COUNT));
+        Ok(ResidualCoder { models: alloc::collect((0..MAGNITUDE_CONTEXTS * RATIO_CLASS_COUNT).map(model))? })
     }
 
     /// Codes a residual. `expected` is the expected magnitude in units of 1 /
@@ -51,8 +51,8 @@ impl ResidualCoder {
     ) -> i64 {
         let level = context_of_expected_magnitude(expected);
         let shift = uniform_low_bits(level);
-        let model =
-            &mut self.models[level.min(MAGNITUDE_CONTEXTS - 1) * RATIO_CLASSES + (ratio_class & (RATIO_CLASSES - 1))];
+        let model = &mut self.models
+            [level.min(MAGNITUDE_CONTEXTS - 1) * RATIO_CLASS_COUNT + (ratio_class & (RATIO_CLASS_COUNT - 1))];
         let above = residual >> shift;
         let magnitude = (above ^ (above >> 63)) as u64;
         let range = magnitude_class(magnitude);

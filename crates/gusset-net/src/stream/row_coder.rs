@@ -98,7 +98,7 @@ impl RowCoder {
         vertical: f64,
     ) {
         if may_miss {
-            self.code_gaps(coder, &mut row.nodes);
+            self.code_missing_nodes(coder, &mut row.nodes);
         }
         self.known.iter_mut().zip(&row.nodes).for_each(|(known, &node)| *known = node == NodeState::Coded);
         self.ratio_classes.fill(0);
@@ -120,7 +120,7 @@ impl RowCoder {
     }
 
     /// Codes which nodes are missing, in the context of the neighbours' gaps.
-    fn code_gaps<C: EntropyCoder>(&mut self, coder: &mut C, nodes: &mut [NodeState]) {
+    fn code_missing_nodes<C: EntropyCoder>(&mut self, coder: &mut C, nodes: &mut [NodeState]) {
         self.gaps.rotate_right(1);
         let [here, north, north2] = &mut self.gaps;
         for (j, node) in nodes.iter_mut().enumerate() {

@@ -101,7 +101,7 @@ impl<'a> AdaptationList<'a> {
     fn new(bridges: &'a [Bridge]) -> Result<Self> {
         let mut adaptations = AdaptationList { list: Vec::new(), numbers: HashMap::new() };
         let mut open = Vec::new();
-        push_adaptations(bridges, &mut open)?;
+        push_adaptations_of_bridges(bridges, &mut open)?;
         // A record follows those within it.
         while let Some((adaptation, opened)) = open.pop() {
             if adaptations.numbers.contains_key(&std::ptr::from_ref(adaptation)) {
@@ -114,7 +114,7 @@ impl<'a> AdaptationList<'a> {
                 adaptations.numbers.insert(std::ptr::from_ref(adaptation), adaptations.list.len() as u64);
             } else {
                 alloc::push(&mut open, (adaptation, true))?;
-                push_adaptations(&adaptation.bridges, &mut open)?;
+                push_adaptations_of_bridges(&adaptation.bridges, &mut open)?;
             }
         }
         Ok(adaptations)
@@ -140,7 +140,7 @@ impl<'a> AdaptationList<'a> {
     }
 }
 
-fn push_adaptations<'a>(bridges: &'a [Bridge], open: &mut Vec<(&'a NetAdaptation, bool)>) -> Result<()> {
+fn push_adaptations_of_bridges<'a>(bridges: &'a [Bridge], open: &mut Vec<(&'a NetAdaptation, bool)>) -> Result<()> {
     let adaptations = bridges.iter().flat_map(|bridge| &bridge.adaptations).flatten();
     adaptations.into_iter().try_for_each(|adaptation| alloc::push(open, (&**adaptation, false)))
 }

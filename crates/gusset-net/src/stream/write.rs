@@ -82,10 +82,10 @@ fn encode_coordinates<T: CoordinateBits>(
             compress_blocks(&mut info, planes, &all, levels, &rest)?
         }
         _ => {
-            info.folded = all.are_exact(planes);
+            info.folded = all.are_bit_identical(planes);
             let none = DuplicateNodes::without_duplicates(shape);
             let duplicates = if info.folded { &all } else { &none };
-            let levels = LosslessLevels { missing: first_missing_node(planes) };
+            let levels = LosslessLevels { missing: coordinates_of_first_missing(planes) };
             info.missing = levels.missing.map(|number| number.to_level() as u64);
             compress_blocks(&mut info, planes, duplicates, levels, &rest)?
         }
@@ -108,7 +108,7 @@ fn compress_blocks<T: CoordinateBits, L: LevelMap<T> + Copy>(
 }
 
 /// Returns the coordinates of the first missing node; NaN if there is none.
-fn first_missing_node<T: CoordinateBits>(planes: &XyzMatrices<'_, T>) -> [T; 3] {
+fn coordinates_of_first_missing<T: CoordinateBits>(planes: &XyzMatrices<'_, T>) -> [T; 3] {
     let (h, w) = (planes.shape().rows(), planes.shape().columns());
     let mut nodes = (0..h).flat_map(|i| (0..w).map(move |j| (i, j)));
     let gap = nodes.find(|&(i, j)| !planes.row(i).iter().all(|row| Into::<f64>::into(row[j]).is_finite()));

@@ -5,7 +5,7 @@
 //! every link and seam that names it. A batch is executed as a whole or not at all. O(nodes), plus
 //! a sort of the pairs.
 
-use super::local_gluing::{cell_links, star_links};
+use super::local_gluing::{cell_links, links_of_star};
 use super::{ContractedLinks, GluingType, Seam, SeamRun, Topology};
 use crate::shape::{Shape, sorted_pair};
 use gusset_base::alloc;
@@ -88,7 +88,7 @@ impl Gluing {
             Gluing::Star { node, mask } => {
                 shape.check_node(node)?;
                 let (i, j) = shape.place(node);
-                masked(star_links(shape, i, j), mask)
+                masked(links_of_star(shape, i, j), mask)
             }
             Gluing::Cell { cell, mask } => {
                 let (i, j) = shape.checked_cell_place(cell)?;

@@ -91,7 +91,7 @@ impl LinkMatrix {
     }
 
     /// Returns the contracted links in a range, in order.
-    pub(crate) fn links_in(&self, range: Range<u32>) -> impl Iterator<Item = u32> {
+    pub(crate) fn contracted_links_in(&self, range: Range<u32>) -> impl Iterator<Item = u32> {
         let words = range.start as usize / BITS_PER_WORD..(range.end as usize).div_ceil(BITS_PER_WORD);
         let first = words.start;
         indices_of_set_bits(&self.words[words], first)
@@ -152,7 +152,7 @@ impl LinkMatrix {
     }
 
     /// Returns the sides that contract the same links, if they exist.
-    pub(super) fn as_sides(&self, shape: Shape) -> Option<Sides> {
+    pub(super) fn to_equal_sides(&self, shape: Shape) -> Option<Sides> {
         let (h, w) = (shape.rows(), shape.columns());
         let sides = Sides {
             rows_closed: self.get(shape.horizontal_link(0, w - 1)),

@@ -69,7 +69,7 @@ impl GluingType {
 }
 
 /// Returns the links of node (i, j): east, south, west, north, round the sides of the net.
-pub(crate) fn star_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
+pub(crate) fn links_of_star(shape: Shape, i: usize, j: usize) -> [u32; 4] {
     let (h, w) = (shape.rows(), shape.columns());
     let here = shape.horizontal_link(i, j);
     [here, here + 1, shape.horizontal_link(i, (j + w - 1) % w), shape.vertical_link((i + h - 1) % h, j)]
@@ -86,7 +86,7 @@ pub(super) fn cell_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
 pub fn classify_node(classes: &NodeClasses, i: usize, j: usize, cyclic: bool) -> Option<GluingType> {
     let shape = classes.shape();
     let there = [j + 1 < shape.columns(), i + 1 < shape.rows(), j > 0, i > 0];
-    let links = star_links(shape, i, j);
+    let links = links_of_star(shape, i, j);
     let set = (0..4).filter(|&k| (cyclic || there[k]) && classes.has_identified_ends(links[k]));
     GluingType::from_table_entry(STAR_TYPE_BY_MASK[set.fold(0, |mask, k| mask | 1 << k)])
 }

@@ -27,7 +27,7 @@ pub use cell::ReducedCell;
 pub use classes::{NodeClasses, NodeGroups};
 pub use gluing::{CellDiagonal, Gluing};
 pub use link_matrix::LinkMatrix;
-pub(crate) use local_gluing::star_links;
+pub(crate) use local_gluing::links_of_star;
 pub use local_gluing::{GluingHistogram, GluingType, classify_cell, classify_node, gluing_histogram};
 pub use occurrences::{GluingOccurrence, GluingSignature, find_gluing_occurrences};
 pub use seam::{Seam, SeamRun};

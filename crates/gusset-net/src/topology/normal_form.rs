@@ -47,7 +47,7 @@ impl Topology {
             }
         }
         let topology = Topology::assemble_unchecked(shape, links, kept, false);
-        topology.check_crossings_cancellable(&job.part(0.3, 1.0), stage)?;
+        topology.check_crossed_cells_cancellable(&job.part(0.3, 1.0), stage)?;
         Ok(topology)
     }
 
@@ -62,12 +62,12 @@ impl Topology {
             return Ok(None);
         }
         if let ContractedLinks::Matrix(matrix) = &links
-            && matrix.as_sides(shape).is_some()
+            && matrix.to_equal_sides(shape).is_some()
         {
             return Ok(None);
         }
         let topology = Topology { shape, links, seams, reversed: false };
-        topology.check_crossings()?;
+        topology.check_crossed_cells()?;
         Ok(Some(topology))
     }
 
@@ -102,11 +102,11 @@ impl Topology {
 
     /// Returns [`Error::CrossingCell`] for the first cell whose opposite corners are glued
     /// crosswise.
-    pub(crate) fn check_crossings(&self) -> Result<()> {
-        self.check_crossings_cancellable(&Job::default(), "")
+    pub(crate) fn check_crossed_cells(&self) -> Result<()> {
+        self.check_crossed_cells_cancellable(&Job::default(), "")
     }
 
-    fn check_crossings_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<()> {
+    fn check_crossed_cells_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<()> {
         if matches!(self.links, ContractedLinks::Sides(_)) && self.seams.is_empty() {
             return Ok(());
         }

@@ -44,7 +44,7 @@ impl SeamRun {
         (i64::from(self.row) + k * i64::from(self.row_step), i64::from(self.column) + k * i64::from(self.column_step))
     }
 
-    fn is_inside(&self, shape: Shape, count: u32) -> bool {
+    fn is_inside_net(&self, shape: Shape, count: u32) -> bool {
         [0, count - 1].into_iter().all(|k| {
             let (i, j) = self.node_place(k);
             (0..shape.rows() as i64).contains(&i) && (0..shape.columns() as i64).contains(&j)
@@ -93,8 +93,8 @@ impl Seam {
         let moves = [self.a, self.b].iter().any(|run| (run.row_step, run.column_step) != (0, 0));
         let good = self.count > 0
             && (moves || self.count == 1)
-            && self.a.is_inside(shape, self.count)
-            && self.b.is_inside(shape, self.count);
+            && self.a.is_inside_net(shape, self.count)
+            && self.b.is_inside_net(shape, self.count);
         if good { Ok(()) } else { Err(Error::BadSeam { seam: index as u32 }) }
     }
 

@@ -20,7 +20,7 @@ impl ContractedLinks {
     pub(super) fn normalised(self, shape: Shape) -> Self {
         match self {
             ContractedLinks::Matrix(matrix) => {
-                matrix.as_sides(shape).map_or(ContractedLinks::Matrix(matrix), ContractedLinks::Sides)
+                matrix.to_equal_sides(shape).map_or(ContractedLinks::Matrix(matrix), ContractedLinks::Sides)
             }
             sides => sides,
         }

@@ -82,26 +82,26 @@ impl<T: Real> Kernel for ApplyAffine<'_, T> {
 
     #[inline(always)]
     fn run(self) {
-        apply_to_nodes(self.rows, self.x, self.y, self.z);
+        apply_matrix_to_nodes(self.rows, self.x, self.y, self.z);
     }
 }
 
 #[inline(always)]
-fn apply_to_nodes<T: Real>(rows: [[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
+fn apply_matrix_to_nodes<T: Real>(rows: [[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
     // Whole runs. The remainder is processed elsewhere, because its loop would hold the matrix in
     // registers that the vectors need.
     let [(x, x_rest), (y, y_rest), (z, z_rest)] = [x, y, z].map(<[T]>::as_chunks_mut);
     for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
-        apply_to_run(rows, x, y, z);
+        apply_matrix_to_run(rows, x, y, z);
     }
-    apply_to_remainder(rows, x_rest, y_rest, z_rest);
+    apply_matrix_to_remainder(rows, x_rest, y_rest, z_rest);
 }
 
 /// Nodes of a vectorised run.
 const NODES_PER_RUN: usize = 16;
 
 #[inline(always)]
-fn apply_to_run<T: Real>(
+fn apply_matrix_to_run<T: Real>(
     rows: [[T; 4]; 3],
     x: &mut [T; NODES_PER_RUN],
     y: &mut [T; NODES_PER_RUN],
@@ -119,7 +119,7 @@ fn apply_to_run<T: Real>(
 }
 
 #[inline(never)]
-fn apply_to_remainder<T: Real>(rows: [[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
+fn apply_matrix_to_remainder<T: Real>(rows: [[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
     for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
         [*x, *y, *z] = rows.map(|[p, q, r, s]| p * *x + q * *y + r * *z + s);
     }

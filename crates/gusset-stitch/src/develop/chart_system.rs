@@ -29,7 +29,7 @@ pub(super) struct ChartSystem {
 struct NeighbourCoupling<'a>(&'a Buckets<u32>);
 
 impl UnknownCouplings for NeighbourCoupling<'_> {
-    fn each_row(&self, v: u32, mut visit: impl FnMut(usize)) {
+    fn for_each_row_of(&self, v: u32, mut visit: impl FnMut(usize)) {
         visit(v as usize);
     }
 

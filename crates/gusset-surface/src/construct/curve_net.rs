@@ -9,7 +9,7 @@
 //! the degree of the curves. With two rows and two columns, L and M are linear, and S is the Coons
 //! patch. Without columns, S is the skin of the rows.
 
-use super::blend::cardinal_pieces;
+use super::cardinal_pieces::cardinal_pieces;
 use super::nearest_points::{SegmentBoxTree, nearest_points_of_curves};
 use super::net_curve::{CurvePiece, CurvePlace, NetCurve, max_segment_degree};
 use crate::axis::NODES_PER_CUBIC;

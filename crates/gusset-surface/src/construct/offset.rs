@@ -8,7 +8,7 @@ use gusset_base::geom::scale::common_unit;
 use gusset_base::job::Job;
 use gusset_curve::frame::node_distances;
 
-const OFFSET_STAGE: &str = "offsetting";
+const PROGRESS_STAGE: &str = "offsetting";
 
 impl Sheet<'_> {
     /// Returns the sheet through the corners of this sheet's cells, each moved along the surface's
@@ -53,7 +53,7 @@ impl Sheet<'_> {
                 self.normal(i as usize, j as usize, u, v)
             }))?,
         };
-        job.step(0.3, OFFSET_STAGE)?;
+        job.step(0.3, PROGRESS_STAGE)?;
         let same = |k: usize| {
             let (i, j) = (k / width, k % width);
             let [i, j] = [(i, rows, closed[0]), (j, columns, closed[1])].map(|(i, n, c)| if c { i % n } else { i });
@@ -67,7 +67,7 @@ impl Sheet<'_> {
         let made = Sheet::Grid(Grid::new(nodes, closed, Scheme::SixTap)?);
         let mut deviation = 0.0f64;
         for k in 0..rows * columns {
-            job.part(0.5, 1.0).step_every(1 << 12, k, rows * columns, OFFSET_STAGE)?;
+            job.part(0.5, 1.0).step_every(1 << 12, k, rows * columns, PROGRESS_STAGE)?;
             let (i, j) = (k / columns, k % columns);
             let corners = [[i, j], [i, j + 1], [i + 1, j], [i + 1, j + 1]].map(|[i, j]| distance(same(i * width + j)));
             let by = corners.iter().sum::<f64>() / 4.0;

@@ -4,7 +4,7 @@
 //! Invariant: the cone of a block contains the normals of all its cells, so no cell with the angle
 //! is discarded. Cost: O(blocks visited).
 
-use super::source::levels_between;
+use super::contour_source::levels_between;
 use crate::index::ConePyramid;
 use glam::DVec3;
 use gusset_base::alloc;

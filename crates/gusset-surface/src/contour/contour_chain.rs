@@ -32,7 +32,7 @@ pub(super) struct ContourPaths {
 }
 
 impl ContourPaths {
-    pub(super) fn append(&mut self, other: ContourPaths) -> Result<()> {
+    pub(super) fn append_paths(&mut self, other: ContourPaths) -> Result<()> {
         // With one level and sheet, no copy is needed.
         if self.paths.is_empty() {
             *self = other;
@@ -48,16 +48,17 @@ impl ContourPaths {
 const NO_SUCCESSOR: u32 = u32::MAX;
 
 /// A hash table of arcs by the keys of the marks where they begin, with open addressing.
-struct ArcsByStart<'a> {
+struct ArcTableByStart<'a> {
     arcs: &'a [ContourArc],
     slots: Vec<u32>,
     shift: u32,
 }
 
-impl<'a> ArcsByStart<'a> {
+impl<'a> ArcTableByStart<'a> {
     fn new(arcs: &'a [ContourArc]) -> Result<Self> {
         let bits = usize::BITS - (2 * arcs.len()).leading_zeros();
-        let mut table = ArcsByStart { arcs, slots: alloc::filled(NO_SUCCESSOR, 1 << bits)?, shift: u64::BITS - bits };
+        let mut table =
+            ArcTableByStart { arcs, slots: alloc::filled(NO_SUCCESSOR, 1 << bits)?, shift: u64::BITS - bits };
         for (k, arc) in arcs.iter().enumerate() {
             let at = table.slot_of_key(arc.keys[0]);
             table.slots[at] = k as u32;
@@ -96,7 +97,7 @@ pub(super) fn chain_arcs(
     }
     let levels = alloc::gather(found.arcs.chunk_by(|a, b| a.level == b.level))?;
     let parts = par::map(threads, levels.into_iter(), |arcs| paths_of_level(sheet, arcs, &found.inner))?;
-    parts.into_iter().try_for_each(|part| found_paths.append(part?))
+    parts.into_iter().try_for_each(|part| found_paths.append_paths(part?))
 }
 
 /// Sorts arcs by level. Cells come in the order of the search, each with its levels. The sort is
@@ -113,7 +114,7 @@ fn sort_arcs_by_level(arcs: &mut Vec<ContourArc>) -> Result<()> {
 
 /// For each arc, the index of its successor or [`NO_SUCCESSOR`], and whether it has a predecessor.
 fn find_successors(arcs: &[ContourArc]) -> Result<(Vec<u32>, Vec<bool>)> {
-    let table = ArcsByStart::new(arcs)?;
+    let table = ArcTableByStart::new(arcs)?;
     let mut next = alloc::filled(NO_SUCCESSOR, arcs.len())?;
     let mut entered = alloc::filled(false, arcs.len())?;
     for (k, arc) in arcs.iter().enumerate() {

@@ -4,8 +4,8 @@
 //!
 //! Cost: O(M^2) and a few Newton steps for each point; at most 2^12 points for an arc.
 
-use super::cell::{ArcAsGraph, MarkedArc};
-use super::side::find_bracketed_root;
+use super::cell_arcs::{ArcAsGraph, MarkedArc};
+use super::side_sign_changes::find_bracketed_root;
 use crate::Patch;
 use crate::subdivision::BernsteinField;
 use glam::{DVec2, DVec3};

@@ -4,13 +4,13 @@
 //! bilinear one, exclude the level. Cost: O(1) for each cell examined, O(M^3) for each crossed cell
 //! that is not simple; memory is proportional to the number of arcs.
 
-use super::cell::{InnerMarkKeys, MarkedArc, SIDES_PER_CELL, SignChangeMark, find_cell_arcs, has_one_sign};
+use super::cell_arcs::{InnerMarkKeys, MarkedArc, SIDES_PER_CELL, SignChangeMark, find_cell_arcs, has_one_sign};
 use super::contour_lattice::ContourLattice;
 use super::contour_refinement::{insert_arc_points, is_arc_near_chord, is_graph_near_chord, middle_of_arc};
+use super::contour_source::{ContourSource, CornerTestData, PreparedCell, SideContinuity};
 use super::corner_crossing::{CornerCrossing, decide_crossing_by_corners, root_of_side_chord};
-use super::side::{counts_as_positive, find_sign_changes};
 use super::side_roots::compute_side_roots;
-use super::source::{ContourSource, CornerTest, PreparedCell, SideContinuity};
+use super::side_sign_changes::{counts_as_positive, find_sign_changes};
 use crate::Patch;
 use crate::cells::SheetCells;
 use crate::subdivision::BernsteinField;
@@ -52,7 +52,7 @@ pub(super) struct ContourArcs {
 }
 
 impl ContourArcs {
-    fn append(&mut self, other: &ContourArcs) -> Result<()> {
+    fn append_arcs(&mut self, other: &ContourArcs) -> Result<()> {
         let shift = self.inner.len() as u32;
         alloc::append(&mut self.inner, &other.inner)?;
         alloc::append(&mut self.unresolved, &other.unresolved)?;
@@ -148,7 +148,7 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
                 if found.arcs.is_empty() && found.unresolved.is_empty() {
                     found = part;
                 } else {
-                    found.append(&part)?;
+                    found.append_arcs(&part)?;
                 }
             }
         }
@@ -212,7 +212,8 @@ impl<C: SheetCells<N>, S: ContourSource<M>, const N: usize, const M: usize> Cont
         if self.chord.is_some_and(|chord| 4.0 * self.source.bilinear_deviation(block) > chord) {
             return Ok(false);
         }
-        let Some(CornerTest { levels, corners, slack, rounding_error }) = self.source.corner_test(block, cell) else {
+        let Some(CornerTestData { levels, corners, slack, rounding_error }) = self.source.corner_test(block, cell)
+        else {
             return Ok(false);
         };
         let (arcs, open) = (found.arcs.len(), workspace.open.len());

@@ -4,13 +4,13 @@
 //! The coefficients of the field are within a slack P of the coefficients of the bilinear field
 //! through the corners. A difference of neighbouring coefficients along u is therefore within 2 P
 //! of a third of a value between the two steps from corner to corner. If both steps have one sign
-//! and exceed 6 P, the field is monotone in u. The zero set is then a graph, as in `cell`, and the
-//! sides tell where it enters and leaves. A side that is monotone too is crossed at most once,
+//! and exceed 6 P, the field is monotone in u. The zero set is then a graph, as in `cell_arcs`, and
+//! the sides tell where it enters and leaves. A side that is monotone too is crossed at most once,
 //! according to the signs of its ends. A side whose ends have one sign and exceed P is not crossed.
 //! The test uses the corners only.
 
-use super::cell::{CORNERS_OF_SIDES, SIDES_PER_CELL};
-use super::side::counts_as_positive;
+use super::cell_arcs::{CORNERS_OF_SIDES, SIDES_PER_CELL};
+use super::side_sign_changes::counts_as_positive;
 
 /// How a level crosses a simple cell.
 #[derive(Debug, Clone, Copy, PartialEq)]

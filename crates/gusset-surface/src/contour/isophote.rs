@@ -8,13 +8,13 @@
 
 use super::cone_culling;
 use super::contour_lattice::ContourLattice;
+use super::contour_paths::{SheetContourSet, add_point_paths};
 use super::contour_search::{ContourArcs, ContourSearch};
+use super::contour_source::{ContourSource, PreparedCell, SideContinuity, levels_between};
 use super::creases::find_creases_at_angles;
-use super::normals::sum_of_squared_fields;
-use super::paths::{SheetContourSet, add_point_paths};
+use super::normal_fields::sum_of_squared_fields;
 use super::point_spacing::{PointSpacing, add_leus_points};
 use super::projected_normals::{ProjectedBlockCorners, ProjectedNormals, frame_with_third_axis};
-use super::source::{ContourSource, PreparedCell, SideContinuity, levels_between};
 use crate::cells::SheetCells;
 use crate::checks::{check_ascending, unit_vector};
 use crate::ranges::angle_range_to_third_axis;

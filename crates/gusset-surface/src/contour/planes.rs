@@ -1,7 +1,7 @@
 //! Finds the blocks that a stack of parallel planes crosses, in one descent for all planes. Uses
 //! the ranges of the planes' function over boxes.
 
-use super::source::levels_between;
+use super::contour_source::levels_between;
 use crate::index::BoxPyramid;
 use glam::DVec3;
 use gusset_base::alloc;

@@ -4,8 +4,8 @@
 //! [`find_roots`].
 
 use super::contour_lattice::ContourLattice;
-use super::normals::Hodographs;
-use super::source::SideContinuity;
+use super::contour_source::SideContinuity;
+use super::normal_fields::Hodographs;
 use crate::Surface;
 use crate::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
 use crate::index::BoxPyramid;

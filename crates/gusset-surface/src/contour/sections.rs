@@ -5,11 +5,11 @@
 //! the signed distance. See [`super::contour_search`].
 
 use super::contour_lattice::ContourLattice;
+use super::contour_paths::SheetContourSet;
 use super::contour_search::ContourSearch;
-use super::paths::SheetContourSet;
+use super::contour_source::{NodalScalarSource, PlaneDistanceSource};
 use super::planes::{self, Planes};
 use super::point_spacing::{PointSpacing, add_leus_points};
-use super::source::{NodalScalarSource, PlaneDistanceSource};
 use crate::axis::{GridAxis, Scheme};
 use crate::cells::CELLS_PER_BLOCK_SIDE;
 use crate::checks::{check_ascending, check_finite, unit_vector};

@@ -11,8 +11,8 @@
 //! [`MAX_STORED_CONTROL_POINTS`] control points. It ends at [`MIN_EXAMINED_PAIRS`] if the last gain
 //! is long past and little is left to gain.
 
-use super::descent::{DistanceJet, NetPair, PairParameters};
-use super::pieces::{PiecePosition, SidePieces};
+use super::distance_descent::{DistanceJet, NetPair, PairParameters};
+use super::side_pieces::{PiecePosition, SidePieces};
 use crate::frontier::{BranchAndBound, Frontier};
 use gusset_base::error::{Error, Result};
 use gusset_base::geom::hull_distance::hull_distance;
@@ -25,7 +25,7 @@ const MAX_EXAMINED_PAIRS: usize = 50_000;
 /// last gain.
 const MIN_EXAMINED_PAIRS: usize = 1 << 13;
 const SMALL_RELATIVE_GAP: f64 = 1e-3;
-const MIN_RELATIVE_GAIN: f64 = 1e-6;
+const MIN_RELATIVE_DISTANCE_GAIN: f64 = 1e-6;
 /// Largest number of control points of pieces, 24 bytes each.
 const MAX_STORED_CONTROL_POINTS: usize = 1 << 22;
 /// Largest number of descent steps if the descent proves the pair, and otherwise.
@@ -36,7 +36,7 @@ const MIN_DIVIDED_PART_SIZE: f64 = 1e-12;
 /// Number of pairs between two progress reports.
 const PAIRS_PER_REPORT: usize = 256;
 
-pub(super) const DISTANCE_STAGE: &str = "distance";
+pub(super) const PROGRESS_STAGE: &str = "distance";
 
 /// A pair of pieces, and a start for the descent.
 #[derive(Debug, Clone, Copy)]
@@ -161,7 +161,7 @@ impl<'a> DistanceSearch<'a> {
         };
         let key = |nearest: &NearestPair| (nearest.distance, nearest.a, nearest.b);
         if self.best.is_none_or(|best| key(&nearest_pair) < key(&best)) {
-            if nearest_pair.distance < self.best_distance() * (1.0 - MIN_RELATIVE_GAIN) {
+            if nearest_pair.distance < self.best_distance() * (1.0 - MIN_RELATIVE_DISTANCE_GAIN) {
                 self.pairs_at_gain = self.pairs;
             }
             (self.best, self.last) = (Some(nearest_pair), Some((*pair, *value)));
@@ -173,7 +173,7 @@ impl<'a> DistanceSearch<'a> {
         let balls = [self.a.net_balls(pair.a), self.b.net_balls(pair.b)];
         let (Some(a), Some(b)) = (self.a.control_net(pair.a), self.b.control_net(pair.b)) else { return bound };
         let nets = NetPair { a, b };
-        let start = nets.evaluate(pair.start);
+        let start = nets.distance_jet_at(pair.start);
         let is_fresh = self.a.is_whole_cell_or_segment(pair.a) && self.b.is_whole_cell_or_segment(pair.b);
         let (value, proven) = if nets.is_distance_convex([&balls[0], &balls[1]]) {
             let value = nets.minimise_distance(start, MAX_DESCENT_STEPS);
@@ -223,7 +223,7 @@ impl BranchAndBound for DistanceSearch<'_> {
     fn branch_task(&mut self, bound: f64, pair: PiecePair) -> Result<()> {
         self.pairs += 1;
         if self.pairs.is_multiple_of(PAIRS_PER_REPORT) {
-            self.job.step(self.pairs as f64 / (2 * MAX_EXAMINED_PAIRS) as f64, DISTANCE_STAGE)?;
+            self.job.step(self.pairs as f64 / (2 * MAX_EXAMINED_PAIRS) as f64, PROGRESS_STAGE)?;
         }
         let are_nets = self.a.control_net(pair.a).is_some() && self.b.control_net(pair.b).is_some();
         if are_nets {

@@ -1,9 +1,9 @@
 //! Nearest points of a surface and a line, a plane, a curve or another surface: tasks c) to e) of
 //! the paper for objects that do not intersect.
 //!
-//! - `control_net`: control nets of patches and segments. `pieces`: the pieces that both sides are
-//!   divided into, with hulls. `descent`: nearest points of two nets, and their proofs.
-//!   `distance_search`: pairs of pieces by rising lower bounds.
+//! - `control_net`: control nets of patches and segments. `side_pieces`: the pieces that both sides
+//!   are divided into, with hulls. `distance_descent`: nearest points of two nets, and their
+//!   proofs. `distance_search`: pairs of pieces by rising lower bounds.
 //!
 //! A plane and an infinite line are projected to a point, so their parameters need no search. Rays
 //! and segments are curves, cut off where the surface ends. Invariant, the study's theorem T5: a
@@ -11,14 +11,14 @@
 //! answer. The bound therefore holds for any result of the search.
 
 mod control_net;
-mod descent;
+mod distance_descent;
 mod distance_search;
-mod pieces;
+mod side_pieces;
 
 use super::checks::{check_finite, unit_vector};
 use super::line_intersection::{Line, MAX_LINE_COORDINATE};
 use super::{Place, Surface};
-use distance_search::{DISTANCE_STAGE, DistanceSearch};
+use distance_search::{DistanceSearch, PROGRESS_STAGE};
 use glam::DMat3;
 use glam::DVec3;
 use gusset_base::error::{Error, Result};
@@ -26,7 +26,7 @@ use gusset_base::geom::Aabb;
 use gusset_base::geom::scale::floor_to_power_of_two;
 use gusset_base::job::Job;
 use gusset_curve::{CurveView, Place as CurvePlace};
-use pieces::{AffineView, DistanceSide, PiecePosition, SidePieces};
+use side_pieces::{AffineView, DistanceSide, PiecePosition, SidePieces};
 
 /// The nearest points of a surface and another object. `T` is the type of places on the object.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -206,7 +206,7 @@ impl Surface<'_> {
 
     /// The corners of the bounding box.
     fn bounding_box_corners(&self) -> [DVec3; 8] {
-        pieces::corners_of_box(&Aabb::from_points(self.bounds()))
+        side_pieces::corners_of_box(&Aabb::from_points(self.bounds()))
     }
 
     /// The view without projection, with its origin in the middle of the surface.
@@ -224,7 +224,7 @@ impl Surface<'_> {
         tolerance: Option<f64>,
         job: &Job<'_>,
     ) -> Result<DistanceOutcome> {
-        job.step(0.0, DISTANCE_STAGE)?;
+        job.step(0.0, PROGRESS_STAGE)?;
         let tolerance = tolerance.unwrap_or(self.tolerance());
         Error::require(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", tolerance)?;
         let all_points = || self.bounding_box_corners().into_iter().chain(extent.iter().copied());

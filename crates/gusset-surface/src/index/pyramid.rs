@@ -2,7 +2,7 @@
 
 use super::super::cells::{CELLS_PER_BLOCK_SIDE, SheetCells};
 use super::boxes::{ChildBoxes, OrientedBox};
-use super::cones::ConePyramid;
+use super::normal_cones::ConePyramid;
 use super::schedule::block_rows_per_task;
 use glam::DVec3;
 use gusset_base::error::Result;

@@ -5,7 +5,7 @@
 //! the curve and a cell, with proof.
 
 use super::curve_search::{CurvePointInCell, CurveSegmentPart, CurveSheetSearch};
-use super::hits::MAX_POINT_HIT_LENGTH_IN_MERGE_DISTANCES;
+use super::hit_merging::MAX_POINT_HIT_LENGTH_IN_MERGE_DISTANCES;
 use super::line::{Hit, HitSelection, Line, MAX_LINE_COORDINATE};
 use super::line_search::LineWorkspace;
 use crate::{Surface, each_sheet};
@@ -148,7 +148,7 @@ impl Surface<'_> {
         for find in finds.iter_mut().filter(|find| find.tangent) {
             find.runs_inside = find.length > self.max_touch_length();
             let point = find.length <= MAX_POINT_HIT_LENGTH_IN_MERGE_DISTANCES * merge_distance
-                || self.is_crossing(find.place, curve_direction(curve, find.at));
+                || self.is_crossing_direction(find.place, curve_direction(curve, find.at));
             find.tangent = find.runs_inside || find.touches || !point;
         }
         sort::stable(&mut finds, &compare_curve_finds);

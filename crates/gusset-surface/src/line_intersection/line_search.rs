@@ -30,7 +30,7 @@ pub(super) struct LineWorkspace {
 /// Largest rounding error that is allowed for, relative to the surface's size. A larger one would
 /// turn the whole surface into a hit. A line from farther away is replaced by the line through its
 /// rounded foot.
-pub(super) const MAX_RELATIVE_ROUNDING: f64 = 1e-6;
+pub(super) const MAX_RELATIVE_LINE_ROUNDING: f64 = 1e-6;
 
 /// A line relative to a sheet, parametrised by the distance from its foot: the point nearest to the
 /// index's origin.
@@ -84,7 +84,7 @@ impl LineInSheet {
 pub(super) fn line_rounding_error(line: &Line, origin: DVec3, [low, high]: [DVec3; 2]) -> f64 {
     let extent = low.abs().max(high.abs()).length();
     let extent = extent + line.origin.distance(origin) + line.origin.length();
-    (8.0 * f64::EPSILON * extent).min(MAX_RELATIVE_ROUNDING * low.distance(high))
+    (8.0 * f64::EPSILON * extent).min(MAX_RELATIVE_LINE_ROUNDING * low.distance(high))
 }
 
 /// A waiting block, and the distance at which the line enters it.

@@ -2,8 +2,8 @@
 //!
 //! - `line`: lines and their hits. `line_search`: descent of the index for a line. Over a cell,
 //!   hits are the common roots of two fields, the distances from two planes through the line.
-//!   `subdivision::roots` finds all of them. `hits`: merges hits that several cells found.
-//!   `line_batch`: many lines.
+//!   `subdivision::field_roots` finds all of them. `hit_merging`: merges hits that several cells
+//!   found. `line_batch`: many lines.
 //! - `curve_hits`, `curve_search`: the same for curves. A line that touches the surface or runs in
 //!   it is treated as a curve, whose parameter yields the range of the contact.
 //! - `winding`: whether a line crosses the surface where tangents jump.
@@ -14,7 +14,7 @@
 
 mod curve_hits;
 mod curve_search;
-mod hits;
+mod hit_merging;
 mod line;
 mod line_batch;
 mod line_search;

@@ -4,9 +4,9 @@
 //! Boxes exclude blocks, and a search of the patch excludes cells. The limit is fixed, so the order
 //! of the search does not matter. O(blocks and cells within the distance).
 
-use super::block::lowest_blocks_within;
+use super::bounded_block::lowest_blocks_within;
 use super::patch_search::{PartFrontier, nearest_on_patch};
-use super::query::check_query_and_distance;
+use super::query_checks::check_query_and_distance;
 use crate::cells::SheetCells;
 use crate::index::BoxPyramid;
 use crate::{Patch, Surface, each_sheet};
@@ -51,7 +51,7 @@ impl Surface<'_> {
     /// [`Cancelled`](gusset_base::Error::Cancelled).
     pub fn region(&self, query: DVec3, radius: f64, job: &Job<'_>) -> Result<Region> {
         check_query_and_distance("radius", query, radius)?;
-        job.step(0.0, REGION_STAGE)?;
+        job.step(0.0, PROGRESS_STAGE)?;
         let mut region = Region { first: alloc::with_capacity(self.len() + 1)?, ..Region::default() };
         let mut bits = 0_u64;
         for k in 0..self.len() {
@@ -82,7 +82,7 @@ impl Surface<'_> {
 /// Number of blocks of cells between two progress reports.
 const BLOCKS_PER_REPORT: usize = 1 << 12;
 
-const REGION_STAGE: &str = "region";
+const PROGRESS_STAGE: &str = "region";
 
 /// A ball around the query.
 struct QueryBall {
@@ -104,7 +104,7 @@ impl QueryBall {
         let mut workspace = PartFrontier::default();
         for (k, block) in lowest_blocks_within(index, self.query, self.radius + self.tolerance).enumerate() {
             if (k + 1).is_multiple_of(BLOCKS_PER_REPORT) {
-                job.step(0.0, REGION_STAGE)?;
+                job.step(0.0, PROGRESS_STAGE)?;
             }
             for [i, j] in block.cells_of_block(cells) {
                 let patch = cells.cell_patch(i, j);

@@ -5,7 +5,7 @@
 //! limits of `nearest_search`.
 
 use super::nearest_search::{NearestPointSearch, NearestSurfaceSearch};
-use super::query::check_query_and_distance;
+use super::query_checks::check_query_and_distance;
 use crate::{Place, Surface};
 use glam::DVec3;
 

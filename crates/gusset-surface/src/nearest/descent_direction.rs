@@ -2,7 +2,7 @@
 //! permitted directions, and from second derivatives where slopes vanish. A numerical descent would
 //! not be a test: it may stop short, or step over into the basin of another minimum.
 
-use super::foot::{FootPoint, MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot, gradient_and_hessian};
+use super::foot_point::{FootPoint, MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot, gradient_and_hessian};
 use super::patch_minima::max_slope_rounding;
 use crate::Patch;
 use glam::DMat2;

@@ -8,7 +8,7 @@ use crate::Place;
 use glam::{DVec2, DVec3};
 
 /// Smallest relative decrease of the distance that makes an answer a notable gain.
-const MIN_RELATIVE_GAIN: f64 = 1e-6;
+const MIN_RELATIVE_DISTANCE_GAIN: f64 = 1e-6;
 /// Largest number of answers kept to detect ambiguity.
 const MAX_KEPT_ANSWERS: usize = 64;
 
@@ -86,18 +86,18 @@ impl IncumbentAnswers {
 
     /// The distance of the nearest answer; infinite without an answer.
     #[inline(always)]
-    pub(super) fn distance(&self) -> f64 {
+    pub(super) fn nearest_distance(&self) -> f64 {
         self.best.map_or(f64::INFINITY, |best| best.distance)
     }
 
     /// True if an answer at this distance would be notably closer.
     pub(super) fn is_notable_gain(&self, distance: f64) -> bool {
-        distance < self.distance() * (1.0 - MIN_RELATIVE_GAIN)
+        distance < self.nearest_distance() * (1.0 - MIN_RELATIVE_DISTANCE_GAIN)
     }
 
     /// Adds a point of the surface.
     pub(super) fn add_answer(&mut self, answer: NearestAnswer) {
-        let distance = self.distance();
+        let distance = self.nearest_distance();
         self.upper.lower_to(answer.distance);
         if self.best.is_none_or(|best| answer.is_preferred_to(&best)) {
             self.best = Some(answer);
@@ -117,7 +117,7 @@ impl IncumbentAnswers {
 
     /// The distance beyond which two nearest points count as different.
     fn distinct_point_distance(&self) -> f64 {
-        let distance = self.distance();
+        let distance = self.nearest_distance();
         // On a plane, all points within this distance of the nearest point are equally close.
         let alike = (2.0 * distance * self.tolerance).sqrt();
         (0.01 * distance).max(8.0 * alike)

@@ -5,13 +5,13 @@
 //! side or at a corner counts if no cell that meets the point has a descent direction there.
 //! Invariant: a missing minimum is at least as far as the bound at which the search ended.
 
-use super::block::{BoundedBlock, lowest_blocks_within};
+use super::bounded_block::{BoundedBlock, lowest_blocks_within};
 use super::closest::Closest;
 use super::descent_direction::{MAX_DISTANCE_ON_SIDE, has_descent_direction};
 use super::nearest_search::cells_around;
 use super::patch_minima::{LocalMinimum, find_interior_minima, find_side_minima};
 use super::patch_search::{PartFrontier, nearest_on_patch};
-use super::query::check_query_and_distance;
+use super::query_checks::check_query_and_distance;
 use crate::cells::SheetCells;
 use crate::frontier::{BranchAndBound, Frontier};
 use crate::{Place, Surface, each_sheet};
@@ -40,7 +40,7 @@ const MAX_UNDECIDED_CELLS: usize = 512;
 /// Number of blocks and cells between two progress reports.
 const CELLS_PER_REPORT: usize = 1 << 7;
 
-const MINIMA_STAGE: &str = "minima";
+const PROGRESS_STAGE: &str = "minima";
 /// Points within this number of tolerances are the same point.
 const MAX_SAME_POINT_DISTANCE_IN_TOLERANCES: f64 = 16.0;
 
@@ -64,7 +64,7 @@ impl Surface<'_> {
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn local_minima(&self, query: DVec3, limit: f64, most: usize, job: &Job<'_>) -> Result<Minima> {
         check_query_and_distance("limit", query, limit)?;
-        job.step(0.0, MINIMA_STAGE)?;
+        job.step(0.0, PROGRESS_STAGE)?;
         let mut search = MinimaSearch {
             surface: self,
             query,
@@ -130,7 +130,7 @@ impl MinimaSearch<'_> {
     #[inline(never)]
     fn count_and_report(&mut self) -> Result<()> {
         self.looked_at += 1;
-        if self.looked_at.is_multiple_of(CELLS_PER_REPORT) { self.job.step(0.0, MINIMA_STAGE) } else { Ok(()) }
+        if self.looked_at.is_multiple_of(CELLS_PER_REPORT) { self.job.step(0.0, PROGRESS_STAGE) } else { Ok(()) }
     }
 
     fn push_block(&mut self, sheet: usize, block: BoundedBlock) -> Result<()> {
@@ -181,14 +181,14 @@ impl MinimaSearch<'_> {
         }
         let near = MAX_SAME_POINT_DISTANCE_IN_TOLERANCES * self.tolerance;
         let is_same = |other: &FoundMinimum| other.minimum.point.distance(minimum.point) <= near;
-        if minimum.distance > self.limit || self.found.iter().any(is_same) || !self.is_minimum_around(minimum) {
+        if minimum.distance > self.limit || self.found.iter().any(is_same) || !self.is_minimum_across_cells(minimum) {
             return Ok(());
         }
         alloc::push(&mut self.found, candidate)
     }
 
     /// True if no cell that meets a minimum of one patch has a descent direction there.
-    fn is_minimum_around(&self, minimum: &LocalMinimum) -> bool {
+    fn is_minimum_across_cells(&self, minimum: &LocalMinimum) -> bool {
         let on_border = |x: f64| x <= MAX_DISTANCE_ON_SIDE || x >= 1.0 - MAX_DISTANCE_ON_SIDE;
         if !(on_border(minimum.place.x) || on_border(minimum.place.y)) {
             return true;
@@ -196,11 +196,11 @@ impl MinimaSearch<'_> {
         (0..self.surface.len()).all(|sheet| {
             let (cells, index) = self.surface.sheet_and_index(sheet);
             let mut blocks = lowest_blocks_within(index, minimum.point, self.tolerance);
-            each_sheet!(cells, cells => blocks.all(|block| self.is_minimum_in(cells, &block, minimum)))
+            each_sheet!(cells, cells => blocks.all(|block| self.is_minimum_in_block(cells, &block, minimum)))
         })
     }
 
-    fn is_minimum_in<const N: usize>(
+    fn is_minimum_in_block<const N: usize>(
         &self,
         cells: &impl SheetCells<N>,
         block: &BoundedBlock,

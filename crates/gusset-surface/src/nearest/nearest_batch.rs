@@ -7,7 +7,7 @@
 
 use super::closest::Closest;
 use super::nearest_search::NearestPointSearch;
-use super::query::check_query_point;
+use super::query_checks::check_query_point;
 use crate::Surface;
 use glam::DVec3;
 use gusset_base::error::{Error, Result};

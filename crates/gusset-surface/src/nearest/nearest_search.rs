@@ -13,12 +13,12 @@
 //! after [`MIN_EXAMINED_PARTS`] if the last gain is long past and little is left to gain. Memory:
 //! O(patches examined).
 
-use super::block::BoundedBlock;
-use super::bounds::patch_distance_bound;
-use super::foot::{FootPoint, MAX_NEWTON_STEPS_ON_PART, MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot};
+use super::bounded_block::BoundedBlock;
+use super::candidate_block::{CandidateBlock, CellCandidate};
+use super::foot_point::{FootPoint, MAX_NEWTON_STEPS_ON_PART, MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot};
 use super::incumbent::{IncumbentAnswers, NearestAnswer};
-use super::leaf::{CandidateBlock, CellCandidate};
-use super::part::PatchPart;
+use super::patch_bounds::patch_distance_bound;
+use super::patch_part::PatchPart;
 use crate::cells::SheetCells;
 use crate::frontier::{BranchAndBound, Frontier};
 use crate::index::{BoxPyramid, OrientedBox};
@@ -277,12 +277,12 @@ impl NearestPointSearch {
         self.evaluations += 1;
         let (query, tolerance) = (self.incumbent.query, self.incumbent.tolerance);
         let local = descend_to_foot(&part.patch, query, DVec2::splat(0.5), MAX_NEWTON_STEPS_ON_PART);
-        if local.distance <= self.prune_bound().min(self.incumbent.distance()) {
+        if local.distance <= self.prune_bound().min(self.incumbent.nearest_distance()) {
             // Evaluated on the whole patch, because the part's control points are rounded.
             self.add_answer(at, &FootPoint::from_place(at.patch, query, part.place_in_patch(local.place)));
         }
         let bound = patch_distance_bound(&part.patch, query, &local, part.bound, tolerance);
-        if bound >= self.incumbent.distance() - tolerance || part.is_too_small_to_split() {
+        if bound >= self.incumbent.nearest_distance() - tolerance || part.is_too_small_to_split() {
             self.record_lower_bound(bound);
         } else {
             self.push_task(bound, at.sheet, NearestTask::Part { cell: at.cell, from: part.from, size: part.size });
@@ -302,7 +302,7 @@ impl NearestPointSearch {
 
     /// True if the search may end although some points may be as close as `bound`.
     fn may_end_without_proof(&self, bound: f64) -> bool {
-        let (distance, tolerance) = (self.incumbent.distance(), self.incumbent.tolerance);
+        let (distance, tolerance) = (self.incumbent.nearest_distance(), self.incumbent.tolerance);
         let is_stalled = self.evaluations >= MIN_EXAMINED_PARTS
             && self.evaluations - self.evaluations_at_gain >= MIN_EXAMINED_PARTS / 2;
         let is_near = distance - bound <= (SMALL_RELATIVE_GAP * distance).max(tolerance);
@@ -358,7 +358,7 @@ impl NearestPointSearch {
             for cell in cells_around(cells.cell_counts(), closed, best.cell.map(|k| k as usize)) {
                 self.examine_cell(cells, best.sheet, cell, DVec2::splat(0.5));
             }
-            if self.incumbent.distance() >= best.distance - self.incumbent.tolerance {
+            if self.incumbent.nearest_distance() >= best.distance - self.incumbent.tolerance {
                 return;
             }
         }

@@ -12,8 +12,8 @@
 //! All tests use bounds from control points, so no minimum is missed. At most
 //! [`MAX_PARTS_PER_PATCH`] parts.
 
-use super::foot::{FootPoint, MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot, gradient_and_hessian};
-use super::part::{MAX_PARTS_PER_PATCH, PatchPart};
+use super::foot_point::{FootPoint, MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot, gradient_and_hessian};
+use super::patch_part::{MAX_PARTS_PER_PATCH, PatchPart};
 use crate::Patch;
 use glam::{DVec2, DVec3};
 use gusset_base::geom::aabb::range;
@@ -69,7 +69,7 @@ pub(super) fn find_interior_minima<const N: usize>(
         }
         examined += 1;
         let foot = descend_to_foot(&part.patch, query, DVec2::splat(0.5), MAX_NEWTON_STEPS_ON_PATCH);
-        let hessian = part.patch.hessian_range(query, &foot);
+        let hessian = part.patch.hessian_entry_ranges(query, &foot);
         let noise = part.patch.derivative_noise();
         let speed = foot.jet.u.length() + foot.jet.v.length();
         if hessian.is_nowhere_definite(noise * (foot.distance + speed + noise)) {

@@ -1,12 +1,12 @@
 //! The proven nearest point of one patch.
 //!
-//! The bounds at the foot of a descent (see `bounds`) may prove too little for the tolerance.
+//! The bounds at the foot of a descent (see `patch_bounds`) may prove too little for the tolerance.
 //! Branch and bound then splits the patch, down to 2^-26 of a side, into at most
 //! [`MAX_PARTS_PER_PATCH`] parts.
 
-use super::bounds::patch_distance_bound;
-use super::foot::{FootPoint, MAX_NEWTON_STEPS_ON_PART, MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot};
-use super::part::{MAX_PARTS_PER_PATCH, PatchPart};
+use super::foot_point::{FootPoint, MAX_NEWTON_STEPS_ON_PART, MAX_NEWTON_STEPS_ON_PATCH, descend_to_foot};
+use super::patch_bounds::patch_distance_bound;
+use super::patch_part::{MAX_PARTS_PER_PATCH, PatchPart};
 use crate::Patch;
 use crate::frontier::{BranchAndBound, Frontier};
 use glam::{DVec2, DVec3};

@@ -9,10 +9,10 @@
 //! neighbours compute them.
 
 use super::cell_lattice::Lattice;
+use super::cell_sizes::{BOUND_ROUNDING_FACTOR, Sizes};
 use super::figure::Figure;
 use super::normal_variation::AngleTarget;
 use super::reference_search::{SearchOptions, SearchOutcome, search};
-use super::sizes::{ROUNDING_FACTOR, Sizes};
 use crate::normal::angle_between_unit_vectors;
 use glam::DVec3;
 use gusset_base::alloc;
@@ -73,7 +73,7 @@ impl Arcs {
             let gap = points[k].distance(controls[0]) + points[k + 1].distance(controls[controls.len() - 1]);
             let legs = || controls.windows(2).map(|pair| pair[1] - pair[0]);
             let polygon: f64 = legs().map(DVec3::length).sum();
-            lengths.push((polygon + gap) * ROUNDING_FACTOR);
+            lengths.push((polygon + gap) * BOUND_ROUNDING_FACTOR);
             variation.push(max_tangent_turn(&controls, [tangents[k], tangents[(k + 1) % lattice.lines()[1]]]));
         }
         Ok(Arcs { lengths: Sizes::new(lattice, lengths), variation: Sizes::new(lattice, variation), points, tangents })

@@ -7,7 +7,7 @@ use gusset_base::error::{Element, Error, Result};
 use gusset_base::job::Job;
 
 /// Marks cells that chains do not reach.
-const UNREACHED: u32 = u32::MAX;
+const UNREACHED_CELL: u32 = u32::MAX;
 
 /// Number of cells between two progress reports.
 const CELLS_PER_REPORT: usize = 1 << 17;
@@ -31,7 +31,7 @@ pub fn chain(region: &CellMask, from: [usize; 2], to: [usize; 2], job: &Job<'_>)
     let mut walk = ShortestCellChains::new(lattice)?;
     walk.find_chains(region, to, job, 0.0)?;
     let steps = |cell: [usize; 2]| walk.steps[lattice.index(cell)];
-    if steps(from) == UNREACHED {
+    if steps(from) == UNREACHED_CELL {
         return Ok(None);
     }
     let mut cells = alloc::with_capacity(steps(from) as usize + 1)?;
@@ -127,13 +127,13 @@ struct ShortestCellChains {
 
 impl ShortestCellChains {
     fn new(lattice: Lattice) -> Result<Self> {
-        Ok(ShortestCellChains { lattice, steps: alloc::filled(UNREACHED, lattice.len())?, order: Vec::new() })
+        Ok(ShortestCellChains { lattice, steps: alloc::filled(UNREACHED_CELL, lattice.len())?, order: Vec::new() })
     }
 
     fn find_chains(&mut self, region: &CellMask, from: [usize; 2], job: &Job<'_>, fraction: f64) -> Result<()> {
         let lattice = self.lattice;
         job.step(fraction, "chains")?;
-        self.steps.fill(UNREACHED);
+        self.steps.fill(UNREACHED_CELL);
         self.order.clear();
         alloc::reserve(&mut self.order, region.count())?;
         self.steps[lattice.index(from)] = 0;
@@ -147,7 +147,7 @@ impl ShortestCellChains {
             let next = self.steps[cell as usize] + 1;
             for other in lattice.neighbours(lattice.cell(cell as usize)) {
                 let k = lattice.index(other);
-                if self.steps[k] == UNREACHED && region.get(other) {
+                if self.steps[k] == UNREACHED_CELL && region.get(other) {
                     self.steps[k] = next;
                     self.order.push(k as u32);
                 }

@@ -12,7 +12,7 @@
 //! curvature requires the intrinsic one.
 
 use super::cell_lattice::Lattice;
-use super::sizes::{ROUNDING_FACTOR, Sizes};
+use super::cell_sizes::{BOUND_ROUNDING_FACTOR, Sizes};
 use crate::cells::{SheetCells, compute_by_cell};
 use crate::{Patch, Sheet, each_sheet};
 use glam::DVec3;
@@ -54,7 +54,7 @@ fn cell_diameters<const N: usize>(cells: &impl SheetCells<N>, lattice: Lattice, 
     let [[a, b], [c, d]] = patch.corner_points();
     let gap = [a, b, c, d].into_iter().zip(seen).map(|(own, seen)| own.distance(seen)).fold(0.0, f64::max);
     let intrinsic = patch.intrinsic_diameter();
-    [patch.euclidean_diameter(&seen).min(intrinsic + 2.0 * gap), intrinsic].map(|bound| bound * ROUNDING_FACTOR)
+    [patch.euclidean_diameter(&seen).min(intrinsic + 2.0 * gap), intrinsic].map(|bound| bound * BOUND_ROUNDING_FACTOR)
 }
 
 impl<const N: usize> Patch<N> {

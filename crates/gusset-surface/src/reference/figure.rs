@@ -1,10 +1,10 @@
 //! Figures from which distances are measured: points, planes and lines, curves, and surfaces. The
 //! search for the cells of a sheet that are close to a figure (tasks a, c, d and e of the paper).
 
+use super::cell_sizes::Sizes;
 use super::diameter::Diameters;
 use super::object::{Object, Target};
 use super::reference_search::{SearchOptions, SearchOutcome, search_at_cost};
-use super::sizes::Sizes;
 use crate::{Sheet, Surface};
 use glam::DVec3;
 use gusset_base::error::{Error, Result};

@@ -9,9 +9,9 @@
 //! - or by the cell's normal cone, which is tighter and does not need K.
 
 use super::cell_lattice::Lattice;
+use super::cell_sizes::Sizes;
 use super::diameter::Diameters;
 use super::reference_search::{SearchOptions, SearchOutcome, search};
-use super::sizes::Sizes;
 use crate::cells::{SheetCells, compute_by_cell};
 use crate::normal::angle_between_unit_vectors;
 use crate::{MAX_DEGREE, Patch, Sheet, each_sheet};

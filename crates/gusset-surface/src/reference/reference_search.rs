@@ -6,7 +6,7 @@
 
 use super::cell_lattice::{CyclicSpan, Lattice};
 use super::cell_mask::CellMask;
-use super::sizes::{Sizes, Sum};
+use super::cell_sizes::{Sizes, Sum};
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 

@@ -8,8 +8,8 @@
 //! Invariant: every inserted point solves the equation. Cost: one or two Newton steps for each
 //! point.
 
-use super::arc::ArcEnd;
-use super::equation::IntersectionEquation;
+use super::arc_search::ArcEnd;
+use super::intersection_equation::IntersectionEquation;
 use glam::{DVec3, DVec4};
 use gusset_base::alloc;
 use gusset_base::error::Result;

@@ -11,16 +11,16 @@
 //! |---|---|---|
 //! | 0, to the tolerance | the surfaces touch in a point | two branches cross |
 //! | positive | D > 0: they are apart | two branches pass each other |
-//! | negative | a loop, which `solve` finds | two branches pass each other, on the other sides |
+//! | negative | a loop, which `pair_search` finds | two branches pass each other, on the other sides |
 //!
 //! The table assumes a positive form. D is convex where the form is definite, so it has at most one
 //! critical point and one loop. All other clusters are reported as unresolved.
 //!
 //! Cost: O(n log n) for n balls, O(N^3) for each ball, and a few evaluations for each cluster.
 
-use super::graph::{FormDefiniteness, HeightGraph, Interval};
-use super::pairs::CellPair;
-use super::solve::UnresolvedBall;
+use super::cell_pairs::CellPair;
+use super::height_graph::{FormDefiniteness, HeightGraph, Interval};
+use super::pair_search::UnresolvedBall;
 use crate::{Place, Surface, each_sheet};
 use glam::{DMat2, DMat3, DVec4};
 use glam::{DVec2, DVec3};

@@ -2,10 +2,10 @@
 //!
 //! Cost: O(n log n) for n arcs.
 
-use super::bridge::{ChainBridges, IntersectedSurfaces, JoinedCrossings};
+use super::arc_links::{ArcChain, ArcLinks};
+use super::chain_bridges::{ChainBridges, IntersectedSurfaces, JoinedCrossings};
 use super::contact::{CriticalPoints, EXPLAINED_AS_APART, NOT_EXPLAINED};
-use super::links::{ArcChain, ArcLinks};
-use super::solve::{FoundArcs, IntersectionArc};
+use super::pair_search::{FoundArcs, IntersectionArc};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;

@@ -1,13 +1,13 @@
 //! Task e) of the paper: intersections of two surfaces.
 //!
-//! 1. Both pyramids are descended together to find the pairs of cells that may meet (`pairs`).
+//! 1. Both pyramids are descended together to find the pairs of cells that may meet (`cell_pairs`).
 //! 2. Over a pair, the points with A(s, t) = B(u, v) are curves in four parameters. A box of
-//!    parameters is excluded, or proven to contain a graph (`chart`), whose arc is followed from
-//!    side to side (`arc`). Other boxes are halved (`solve`).
+//!    parameters is excluded, or proven to contain a graph (`solution_chart`), whose arc is
+//!    followed from side to side (`arc_search`). Other boxes are halved (`pair_search`).
 //! 3. Unresolved boxes are clustered. The relative second form resolves clusters (`contact`,
-//!    `graph`): points where the surfaces touch, and points where branches cross.
-//! 4. Arcs are chained (`intersection_chain`, `links`), also through crossings and across
-//!    unresolved places (`bridge`).
+//!    `height_graph`): points where the surfaces touch, and points where branches cross.
+//! 4. Arcs are chained (`intersection_chain`, `arc_links`), also through crossings and across
+//!    unresolved places (`chain_bridges`).
 //!
 //! Proven: every common point of the given surfaces lies in a pair of cells of step 1. It lies in a
 //! box whose arc was found or is shorter than the resolution, within the radius of a contact, or in
@@ -17,49 +17,50 @@
 //! One decision is made from points and is not proven. If a curve is closer to a side of a box than
 //! a thousandth of the resolution, it may run along the side, touch it or cross it. The decision
 //! assigns the curve to one of the boxes on both sides. A curve along a side is found from both,
-//! and kept once (`overlap`).
+//! and kept once (`overlapping_arcs`).
 //!
-//! Self-intersections (`itself`) take the same steps. They differ for cells that have points in
-//! common (`joints`, `near`, `poles`), and in how arcs are joined (`trails`).
+//! Self-intersections (`self_intersection`) take the same steps. They differ for cells that have
+//! points in common (`cell_joints`, `adjacent_cells`, `poles`), and in how arcs are joined
+//! (`trails`).
 
-mod arc;
+mod arc_search;
 mod arc_refinement;
-mod bridge;
-mod chart;
+mod chain_bridges;
+mod solution_chart;
 mod contact;
 mod coordinate_net;
-mod equation;
-mod graph;
+mod intersection_equation;
+mod height_graph;
 mod intersection_chain;
-mod itself;
-mod joints;
-mod links;
-mod near;
-mod overlap;
-mod pairs;
-mod places;
+mod self_intersection;
+mod cell_joints;
+mod arc_links;
+mod adjacent_cells;
+mod overlapping_arcs;
+mod cell_pairs;
+mod pair_places;
 mod poles;
-mod solve;
+mod pair_search;
 mod trails;
 
+pub use cell_pairs::{CellPair, MAX_PAIRS};
 use gusset_base::error::{Error, Result};
 use gusset_base::job::Job;
 use gusset_base::sort;
 use gusset_base::{alloc, par};
-pub use pairs::{CellPair, MAX_PAIRS};
 
 use super::cells::SheetCells;
 use super::path::{Contact, ContactKind};
 use super::{Paths, Place, Sheet, Surface, each_sheet};
-use bridge::IntersectedSurfaces;
-use chart::ParameterBox;
+use chain_bridges::IntersectedSurfaces;
 use contact::{ContactSearch, CriticalPoint, EXPLAINED_AS_APART, NOT_EXPLAINED};
 use coordinate_net::CoordinateNet;
 use glam::{DVec3, DVec4};
 use intersection_chain::{ChainedArcs, chain_arcs};
-use overlap::OverlappingArcs;
-use places::PairPlaces;
-use solve::{FoundArcs, IntersectionArc, PairTask};
+use overlapping_arcs::OverlappingArcs;
+use pair_places::PairPlaces;
+use pair_search::{CellPairTask, FoundArcs, IntersectionArc};
+use solution_chart::ParameterBox;
 use std::ops::Range;
 
 /// Number of pairs of cells that a thread solves in one task.
@@ -294,11 +295,11 @@ impl SurfaceIntersection<'_> {
     }
 
     /// The parameters for solving pair k.
-    fn pair_task(&self, k: u32, rounding_error: f64, max_boxes: usize, last: bool) -> PairTask {
+    fn pair_task(&self, k: u32, rounding_error: f64, max_boxes: usize, last: bool) -> CellPairTask {
         let [tolerance, resolution] = [self.tolerance, self.resolution].map(|length| length.max(8.0 * rounding_error));
         let (neighbours, chord, shortest) =
             (self.pair_has_neighbours(k), self.chord, self.shortest.max(4.0 * rounding_error));
-        PairTask { pair: k, neighbours, tolerance, resolution, shortest, chord, max_boxes, last, rounding_error }
+        CellPairTask { pair: k, neighbours, tolerance, resolution, shortest, chord, max_boxes, last, rounding_error }
     }
 
     /// Adds the arcs of pairs of two sheets.
@@ -307,11 +308,11 @@ impl SurfaceIntersection<'_> {
         a: &impl SheetCells<N>,
         b: &impl SheetCells<M>,
         pairs: &[u32],
-        task: &impl Fn(u32, f64) -> PairTask,
+        task: &impl Fn(u32, f64) -> CellPairTask,
         pieces: &mut FoundArcs,
         job: &Job<'_>,
     ) -> Result<()> {
-        let mut whole = ParameterBox::<N, M>::WHOLE;
+        let mut whole = ParameterBox::<N, M>::WHOLE_PATCHES;
         let (mut last, mut size_a) = (None, 0.0);
         for &k in pairs {
             let [p, q] = self.places.pairs[k as usize].cells;

@@ -13,7 +13,7 @@
 //!
 //! Cost: O(N^3) for each cell and depth.
 
-use super::graph::Interval;
+use super::height_graph::Interval;
 use crate::Patch;
 use crate::cells::SheetCells;
 use glam::DVec3;

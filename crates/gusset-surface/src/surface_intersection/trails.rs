@@ -6,9 +6,9 @@
 //!
 //! Invariant: an end is joined to at most one other end. Cost: O(n log n) for n arcs.
 
+use super::arc_links::NO_LINKED_ARC;
 use super::intersection_chain::{MAX_JOINT_GAP_IN_RESOLUTIONS, find_near_pairs, find_repeated_arcs};
-use super::links::NO_LINKED_ARC;
-use super::solve::IntersectionArc;
+use super::pair_search::IntersectionArc;
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
@@ -32,7 +32,7 @@ pub(super) struct TrailStep {
 
 /// A sequence of arcs, each of which continues where the previous one ends.
 #[derive(Debug)]
-pub(super) struct Trail {
+pub(super) struct ArcTrail {
     pub(super) steps: Vec<TrailStep>,
     pub(super) closed: bool,
 }
@@ -55,7 +55,7 @@ pub(super) struct TrailBuilder<'a> {
 
 impl TrailBuilder<'_> {
     /// Returns the paths, ordered by their first arcs.
-    pub(super) fn build_trails(&self, job: &Job<'_>) -> Result<Vec<Trail>> {
+    pub(super) fn build_trails(&self, job: &Job<'_>) -> Result<Vec<ArcTrail>> {
         let (mates, dropped) = self.match_arc_ends(job)?;
         let mut used = dropped;
         let mut trails = Vec::new();
@@ -74,8 +74,8 @@ impl TrailBuilder<'_> {
     }
 
     /// The path that starts at an end.
-    fn trail_from(&self, first: u32, mates: &[u32], done: &mut [bool]) -> Result<Trail> {
-        let mut trail = Trail { steps: Vec::new(), closed: false };
+    fn trail_from(&self, first: u32, mates: &[u32], done: &mut [bool]) -> Result<ArcTrail> {
+        let mut trail = ArcTrail { steps: Vec::new(), closed: false };
         let (mut at, mut swapped) = (first, first % 2 == 1);
         loop {
             let arc = at / 2;

@@ -229,13 +229,13 @@ mod tests {
         c.iter().zip(&row).enumerate().map(term).sum()
     }
 
-    fn coefficients() -> impl Strategy<Value = [f64; 6]> {
+    fn any_coefficients() -> impl Strategy<Value = [f64; 6]> {
         prop::array::uniform6(-1.0..1.0f64)
     }
 
     proptest! {
         #[test]
-        fn values_agree_with_the_definition(c in coefficients(), t in 0.0..1.0f64) {
+        fn values_agree_with_the_definition(c in any_coefficients(), t in 0.0..1.0f64) {
             let truth = evaluate_by_definition(&c, t);
             let steps: Vec<f64> = c.windows(2).map(|pair| 5.0 * (pair[1] - pair[0])).collect();
             let slope = evaluate_by_definition(&steps, t);
@@ -258,7 +258,7 @@ mod tests {
         }
 
         #[test]
-        fn parts_agree_with_the_whole(c in coefficients(), t in 0.0..1.0f64, from in 0.0..0.5f64, to in 0.5..1.0f64) {
+        fn parts_agree_with_the_whole(c in any_coefficients(), t in 0.0..1.0f64, from in 0.0..0.5f64, to in 0.5..1.0f64) {
             let near = |a: f64, b: f64| (a - b).abs() < 1e-13;
             for at in [from, to] {
                 let (mut after, mut before) = (c, [0.0; 6]);

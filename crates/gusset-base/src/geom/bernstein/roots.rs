@@ -324,7 +324,7 @@ mod tests {
         c
     }
 
-    const NOISE: f64 = 1e-14;
+    const ROOT_NOISE: f64 = 1e-14;
 
     #[test]
     fn known_roots_are_found() {
@@ -341,16 +341,16 @@ mod tests {
             (&[1.0, 1.0, 1.0, 0.5], &[0.5, 1.0], 1e-12),
             (&[0.123, 0.123_001, 0.9], &[0.123, 0.123_001, 0.9], 1e-8),
         ] {
-            let found = roots(&normalise_coefficients(polynomial_with_roots(given)), NOISE);
+            let found = roots(&normalise_coefficients(polynomial_with_roots(given)), ROOT_NOISE);
             assert_eq!(found.as_slice().len(), expected.len(), "{given:?}: {:?}", found.as_slice());
             for (a, b) in found.as_slice().iter().zip(expected) {
                 assert!((a - b).abs() <= error, "{given:?}: {:?}", found.as_slice());
             }
         }
-        assert!(roots(&[1e-15, -1e-15, 0.0], NOISE).everywhere);
-        assert!(roots(&[], NOISE).as_slice().is_empty());
-        assert!(roots(&[1.0, 0.2, 1.0], NOISE).as_slice().is_empty());
-        assert!(roots(&[1.0, f64::NAN, -1.0, 2.0], NOISE).as_slice().len() < 4);
+        assert!(roots(&[1e-15, -1e-15, 0.0], ROOT_NOISE).everywhere);
+        assert!(roots(&[], ROOT_NOISE).as_slice().is_empty());
+        assert!(roots(&[1.0, 0.2, 1.0], ROOT_NOISE).as_slice().is_empty());
+        assert!(roots(&[1.0, f64::NAN, -1.0, 2.0], ROOT_NOISE).as_slice().len() < 4);
     }
 
     /// (t - a)^2 times a factor that is not 0 at `a`, raised by less than the noise, touches 0 for
@@ -365,8 +365,8 @@ mod tests {
                 let mut product = vec![0.0; factor.len() + 2];
                 add_product(&[a * a, -a * (1.0 - a), (1.0 - a) * (1.0 - a)], factor, 1.0, &mut product);
                 for (lift, touches) in [(0.0, 1), (0.5, 1), (-0.5, 1), (5.0, 0)] {
-                    let c: Vec<f64> = product.iter().map(|x| x + lift * NOISE * sign.signum()).collect();
-                    let found = roots(&c, NOISE);
+                    let c: Vec<f64> = product.iter().map(|x| x + lift * ROOT_NOISE * sign.signum()).collect();
+                    let found = roots(&c, ROOT_NOISE);
                     let near = found.as_slice().iter().filter(|&&t| (t - a).abs() < 1e-5);
                     assert_eq!(near.count(), touches, "factor {k}, a {a}, lift {lift}: {:?}", found.as_slice());
                 }
@@ -383,7 +383,7 @@ mod tests {
             at.sort_by(f64::total_cmp);
             at.dedup_by(|a, b| *a - *b < 0.05);
             let all: Vec<f64> = at.iter().copied().chain(outside).collect();
-            let found = roots(&normalise_coefficients(polynomial_with_roots(&all)), NOISE);
+            let found = roots(&normalise_coefficients(polynomial_with_roots(&all)), ROOT_NOISE);
             prop_assert_eq!(found.as_slice().len(), at.len());
             for (a, b) in found.as_slice().iter().zip(&at) {
                 prop_assert!((a - b).abs() < 1e-8);
@@ -392,7 +392,7 @@ mod tests {
 
         #[test]
         fn signs_change_only_at_roots(c in proptest::collection::vec(-1.0..1.0f64, 1..20)) {
-            let found = roots(&c, NOISE);
+            let found = roots(&c, ROOT_NOISE);
             let mut stops = vec![0.0];
             stops.extend_from_slice(found.as_slice());
             stops.push(1.0);

@@ -6,7 +6,7 @@
 use glam::DVec3;
 
 /// Smaller pivots make the system singular, in rows whose coefficients are near 1.
-const MIN_PIVOT: f64 = 1e-14;
+const MIN_PIVOT_MAGNITUDE: f64 = 1e-14;
 
 /// Smaller coefficients of the last unknown of a cyclic system are dropped.
 const MAX_NEGLIGIBLE_COEFFICIENT: f64 = 1e-24;
@@ -26,7 +26,7 @@ pub fn solve(
     for i in 1..last {
         let [lower, diagonal, above] = row(i);
         let diagonal = diagonal - lower * ratio;
-        sound &= diagonal.abs() > MIN_PIVOT;
+        sound &= diagonal.abs() > MIN_PIVOT_MAGNITUDE;
         let scale = 1.0 / diagonal;
         before = (known(i) - before * lower) * scale;
         ratio = above * scale;
@@ -162,7 +162,7 @@ pub fn solve_cyclic(
     if alone == 1 {
         unknowns[0] = unknowns[0] - after * upper[0] - end * across[0];
     }
-    least.min(pivot.abs()).min(last_pivot.abs()) > MIN_PIVOT
+    least.min(pivot.abs()).min(last_pivot.abs()) > MIN_PIVOT_MAGNITUDE
 }
 
 #[cfg(test)]

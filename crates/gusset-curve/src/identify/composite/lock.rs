@@ -1,10 +1,10 @@
 //! The locks of composite curves: parameters and control points for given joint parameters.
 
-use super::equations;
+use super::control_equations;
 use super::self_consistent::SelfConsistentNewton;
 use super::{self_consistent, sweeps};
+use crate::identify::composite_solution::CompositeSolution;
 use crate::identify::identify_options::{Lock, Solver};
-use crate::identify::solution::CompositeSolution;
 use crate::identify::subcurve::{Subcurve, SubcurveOutput};
 use gusset_base::error::Result;
 
@@ -25,7 +25,7 @@ pub(super) fn solve_lock(
 ) -> Result<bool> {
     let LockWorkspace { solution, planar, spatial } = workspace;
     if (sub.options.lock, sub.options.solver) == (Lock::Parameter, Solver::Fast) {
-        return Ok(equations::solve_control_points(sub, solution));
+        return Ok(control_equations::solve_control_points(sub, solution));
     }
     solution.begin_iteration(sub)?;
     if sub.section_indices().is_empty() {
@@ -38,8 +38,8 @@ pub(super) fn solve_lock(
     if sub.options.method.chord_exponent() == Some(0.0) {
         return Ok(true);
     }
-    match self_consistent::is_planar(sub, solution) {
-        true => planar.solve(sub, solution, out),
-        false => spatial.solve(sub, solution, out),
+    match self_consistent::is_in_xy_plane(sub, solution) {
+        true => planar.solve_self_consistent(sub, solution, out),
+        false => spatial.solve_self_consistent(sub, solution, out),
     }
 }

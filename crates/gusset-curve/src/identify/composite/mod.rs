@@ -14,18 +14,18 @@
 //! Source: Nadopta, for sections and methods; the composite reading of a set of sections is ours.
 
 mod curvature;
-mod equations;
+mod control_equations;
 mod knot_joints;
 mod lock;
-mod rounds;
+mod lock_rounds;
 mod self_consistent;
 mod sweeps;
 
+use super::composite_solution::CompositeSolution;
 use super::identify_options::{JointParameter, Lock, Solver};
 use super::method::{Method, power};
 use super::report::{PointStatus, Report};
 use super::residuals::MaxJointSine;
-use super::solution::CompositeSolution;
 use super::subcurve::{PointResult, Subcurve, SubcurveOutput};
 use crate::curve::{Place, segment};
 use curvature::CurvatureJoints;
@@ -56,7 +56,7 @@ pub(super) fn append_composite_curve(
     solve_composite_curve(sub, workspace, out)?;
     let solution = workspace.solution();
     if !solution.handles.is_empty() {
-        return append_cubics(sub, solution, out);
+        return append_cubic_sections(sub, solution, out);
     }
     if !sub.closed {
         return append_open_quadratics(sub, solution, out);
@@ -75,11 +75,11 @@ pub(super) fn solve_composite_curve(
 ) -> Result<()> {
     let CompositeWorkspace { lock: workspace, joints } = workspace;
     let (n, solution, options) = (sub.len(), &mut workspace.solution, sub.options);
-    solution.resize(n)?;
+    solution.reserve_for_points(n)?;
     solution.beta.clear();
     solution.handles.clear();
     find_section_parameters(sub, solution, out.results);
-    equations::solve_control_points(sub, solution);
+    control_equations::solve_control_points(sub, solution);
     if (options.lock, options.joint, options.solver) == (Lock::Parameter, JointParameter::Half, Solver::Fast) {
         return Ok(());
     }
@@ -136,7 +136,7 @@ fn find_section_parameters(sub: &Subcurve<'_>, solution: &mut CompositeSolution,
     let mut all_allowed = true;
     let (first, last) = (sections.start, sections.end);
     for i in first..last {
-        let (before, after) = (chords[i], chords[sub.next(i)]);
+        let (before, after) = (chords[i], chords[sub.next_index(i)]);
         let t = before / (before + after);
         all_allowed &= (low..=high).contains(&t);
         solution.t[i] = t;
@@ -181,7 +181,7 @@ fn append_open_quadratics(
 }
 
 /// Appends the segments of a subcurve of cubic sections, and stores the places of the points.
-fn append_cubics(sub: &Subcurve<'_>, solution: &CompositeSolution, out: &mut SubcurveOutput<'_>) -> Result<()> {
+fn append_cubic_sections(sub: &Subcurve<'_>, solution: &CompositeSolution, out: &mut SubcurveOutput<'_>) -> Result<()> {
     let SubcurveOutput { results, builder, .. } = out;
     let (n, ends) = (sub.len(), sub.end_controls());
     let last = n - 1;
@@ -217,8 +217,8 @@ fn append_cubics(sub: &Subcurve<'_>, solution: &CompositeSolution, out: &mut Sub
     Ok(())
 }
 
-/// Writes the control points of a closed subcurve, each p as `map_point(p)`: two for each point and one
-/// more. Section i is segment i. Measures the curve at the same time; see
+/// Writes the control points of a closed subcurve, each p as `map_point(p)`: two for each point and
+/// one more. Section i is segment i. Measures the curve at the same time; see
 /// [`measure_residuals`](super::residuals::measure_residuals).
 pub(super) fn write_closed_curve(
     sub: &Subcurve<'_>,

@@ -19,12 +19,12 @@
 //!
 //! Source: ours.
 
-use super::equations;
-use super::rounds::{MAX_FALLBACK_ROUNDS, max_iterations_of_round};
+use super::control_equations;
+use super::lock_rounds::{MAX_FALLBACK_ROUNDS, max_iterations_of_round};
+use crate::identify::composite_solution::CompositeSolution;
 use crate::identify::identify_options::Options;
 use crate::identify::method::{Method, power};
 use crate::identify::report::{FitStatus, PointStatus};
-use crate::identify::solution::CompositeSolution;
 use crate::identify::subcurve::{Subcurve, SubcurveOutput};
 use glam::DVec3;
 use gusset_base::alloc;
@@ -48,7 +48,7 @@ const MAX_STEP_HALVINGS: u32 = 4;
 /// Points between two progress reports.
 const POINTS_PER_REPORT: usize = 1 << 14;
 
-const STAGE: &str = "making parameters self-consistent";
+const PROGRESS_STAGE: &str = "making parameters self-consistent";
 
 /// One row of the linear equations of Newton's step.
 #[derive(Clone, Copy)]
@@ -73,7 +73,7 @@ pub(super) struct SelfConsistentNewton<const D: usize> {
 }
 
 /// Returns true if points and control points lie in the plane z = 0.
-pub(super) fn is_planar(sub: &Subcurve<'_>, solution: &CompositeSolution) -> bool {
+pub(super) fn is_in_xy_plane(sub: &Subcurve<'_>, solution: &CompositeSolution) -> bool {
     sub.points.iter().chain(&solution.controls[..sub.len()]).all(|p| p.z == 0.0)
 }
 
@@ -81,7 +81,7 @@ impl<const D: usize> SelfConsistentNewton<D> {
     /// Finds the self-consistent parameters and control points, starting from control points that
     /// solve the linear equations. Returns false if the equations become singular, which requires
     /// joint parameters other than 1/2.
-    pub(super) fn solve(
+    pub(super) fn solve_self_consistent(
         &mut self,
         sub: &Subcurve<'_>,
         solution: &mut CompositeSolution,
@@ -109,7 +109,7 @@ impl<const D: usize> SelfConsistentNewton<D> {
                     out.results[i].flag_status(PointStatus::FellBack);
                 }
             }
-            regular = equations::solve_control_points(sub, solution);
+            regular = control_equations::solve_control_points(sub, solution);
         }
         let [low, high] = sub.section_parameter_range();
         for i in sub.section_indices() {
@@ -139,18 +139,18 @@ impl<const D: usize> SelfConsistentNewton<D> {
             while sum > smallest && halvings < MAX_STEP_HALVINGS {
                 halvings += 1;
                 scale *= 0.5;
-                self.add_step(sub, solution, -scale);
+                self.add_scaled_step(sub, solution, -scale);
                 sum = self.evaluate_rows(sub, solution, job)?;
             }
             report.iterations += 1;
             if sum > smallest || !self.compute_newton_step(sub, overlap, job)? {
                 // The fixed-point map itself, which need not make F smaller.
-                equations::solve_control_points(sub, solution);
+                control_equations::solve_control_points(sub, solution);
                 (smallest, scale, halvings) = (f64::INFINITY, 0.0, 0);
                 continue;
             }
             (smallest, scale, halvings) = (sum, 1.0, 0);
-            let farthest = self.add_step(sub, solution, 1.0);
+            let farthest = self.add_scaled_step(sub, solution, 1.0);
             report.record_cycle(farthest / sub.size)?;
             if farthest <= MAX_RELATIVE_LAST_STEP * sub.size {
                 solution.save_controls();
@@ -171,7 +171,7 @@ impl<const D: usize> SelfConsistentNewton<D> {
     fn evaluate_rows(&mut self, sub: &Subcurve<'_>, solution: &mut CompositeSolution, job: &Job<'_>) -> Result<f64> {
         let mut sum = 0.0;
         for i in sub.section_indices() {
-            job.step_every(POINTS_PER_REPORT, i, sub.len(), STAGE)?;
+            job.step_every(POINTS_PER_REPORT, i, sub.len(), PROGRESS_STAGE)?;
             let [b, u, v] = solution.control_and_joints_relative_to_point(sub, i);
             let (t, gradients) = match solution.fell_back[i] {
                 true => (solution.data_t[i], [DVec3::ZERO; 2]),
@@ -181,9 +181,9 @@ impl<const D: usize> SelfConsistentNewton<D> {
             let s = 1.0 - t;
             let value = u * (s * s) + b * (2.0 * t * s) + v * (t * t);
             sum += value.length_squared();
-            let (before, after) = (solution.joints[sub.previous(i)], solution.joints[i]);
+            let (before, after) = (solution.joints[sub.previous_index(i)], solution.joints[i]);
             self.rows[i] = NewtonRow {
-                factors: equations::control_point_coefficients(t, before, after),
+                factors: control_equations::control_point_coefficients(t, before, after),
                 gradients: [
                     truncate_to_dimension(gradients[0] * (1.0 - before)),
                     truncate_to_dimension(gradients[0] * before + gradients[1] * (1.0 - after)),
@@ -207,9 +207,9 @@ impl<const D: usize> SelfConsistentNewton<D> {
         let mut at = from;
         let (mut above, mut right) = ([[0.0; D]; D], [0.0; D]);
         for k in 0..count {
-            job.step_every(POINTS_PER_REPORT, k, count, STAGE)?;
+            job.step_every(POINTS_PER_REPORT, k, count, PROGRESS_STAGE)?;
             let row = &self.rows[at];
-            at = sub.next(at);
+            at = sub.next_index(at);
             // D_k - L_k U_(k-1), and the right side -F_k - L_k y_(k-1), with L = a + q g^T.
             let [lower, middle, upper] = row.factors;
             let [g, h, l] = &row.gradients;
@@ -255,7 +255,7 @@ impl<const D: usize> SelfConsistentNewton<D> {
     }
 
     /// Adds the step, times `scale`, to the control points. Returns the largest move.
-    fn add_step(&self, sub: &Subcurve<'_>, solution: &mut CompositeSolution, scale: f64) -> f64 {
+    fn add_scaled_step(&self, sub: &Subcurve<'_>, solution: &mut CompositeSolution, scale: f64) -> f64 {
         let mut farthest = 0.0f64;
         for i in sub.section_indices() {
             let mut step = [0.0; 3];
@@ -273,7 +273,7 @@ fn apply_fixed_point_map(sub: &Subcurve<'_>, solution: &mut CompositeSolution) {
     for i in sub.section_indices() {
         solution.t[i] = parameter_on_section(sub, solution, i);
     }
-    equations::solve_control_points(sub, solution);
+    control_equations::solve_control_points(sub, solution);
 }
 
 /// Returns the parameter of point `i` on its current section.

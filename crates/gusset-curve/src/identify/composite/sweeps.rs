@@ -17,14 +17,14 @@
 //! Hence t does not depend on the position of B_i on the guide. If both neighbours are on one side,
 //! the section does not cross the guide. O(n) for each sweep.
 
-use super::equations;
-use super::rounds::{MAX_FALLBACK_ROUNDS, max_iterations_of_round};
+use super::control_equations;
+use super::lock_rounds::{MAX_FALLBACK_ROUNDS, max_iterations_of_round};
 use super::self_consistent;
+use crate::identify::composite_solution::CompositeSolution;
 use crate::identify::guide::{guide_direction, subcurve_plane_normal};
 use crate::identify::identify_options::{Lock, Solver};
 use crate::identify::method::Method;
 use crate::identify::report::{FitStatus, PointStatus, ReportInProgress};
-use crate::identify::solution::CompositeSolution;
 use crate::identify::stepping;
 use crate::identify::subcurve::{PointResult, Subcurve, SubcurveOutput};
 use glam::DVec3;
@@ -43,7 +43,7 @@ const MAX_SWEEPS_WITHOUT_CROSSING: u32 = 24;
 /// Points between two progress reports.
 const POINTS_PER_REPORT: usize = 1 << 14;
 
-const STAGE: &str = "placing control points";
+const PROGRESS_STAGE: &str = "placing control points";
 
 /// Solves by sweeps, starting from control points that solve the linear equations. Returns false if
 /// the equations become singular, which requires joint parameters other than 1/2.
@@ -73,7 +73,7 @@ pub(super) fn solve_by_sweeps(
         }
     }
     // With the current parameters, the curve passes the points exactly.
-    let regular = equations::solve_control_points(sub, solution);
+    let regular = control_equations::solve_control_points(sub, solution);
     let [low, high] = sub.section_parameter_range();
     for i in sub.section_indices() {
         match lock {
@@ -92,7 +92,7 @@ pub(super) fn solve_by_sweeps(
 /// Moves the control points to the start of the sweeps.
 fn start_sweeps(sub: &Subcurve<'_>, solution: &mut CompositeSolution, results: &mut [PointResult]) -> Result<()> {
     if sub.options.lock == Lock::DataGuide {
-        find_guides(sub, solution, results)?;
+        find_guide_directions(sub, solution, results)?;
         for i in sub.section_indices() {
             if !solution.fell_back[i] {
                 // The nearest place on the guide.
@@ -129,7 +129,7 @@ fn sweep_until_converged(
         for i in sub.section_indices() {
             // Counts over all sweeps, because few points may take many sweeps.
             if placed.is_multiple_of(POINTS_PER_REPORT) {
-                out.job.step(i as f64 / n as f64, STAGE)?;
+                out.job.step(i as f64 / n as f64, PROGRESS_STAGE)?;
             }
             placed += 1;
             let before = solution.controls[i];
@@ -177,7 +177,8 @@ fn place_control_point(
     };
     solution.t[i] = t;
     let s = 1.0 - t;
-    let [_, slope, _] = equations::control_point_coefficients(t, solution.joints[sub.previous(i)], solution.joints[i]);
+    let [_, slope, _] =
+        control_equations::control_point_coefficients(t, solution.joints[sub.previous_index(i)], solution.joints[i]);
     // A point that has returned to its guide is first projected on it.
     let start = guide.map_or(b, |guide| guide * guide.dot(b));
     let left = -(u * (s * s) + b * (2.0 * t * s) + v * (t * t)) + (b - start) * slope;
@@ -203,7 +204,7 @@ fn place_control_point(
 /// not.
 fn guide_crossing_parameter(sub: &Subcurve<'_>, solution: &CompositeSolution, i: usize) -> Option<f64> {
     let guide = solution.guides[i];
-    let (before, after) = (sub.previous(i), sub.next(i));
+    let (before, after) = (sub.previous_index(i), sub.next_index(i));
     let p = sub.points[i];
     let (a, c) = (solution.controls[before] - p, solution.controls[after] - p);
     // The components across the guide; in a plane both are collinear.
@@ -219,7 +220,11 @@ fn guide_crossing_parameter(sub: &Subcurve<'_>, solution: &CompositeSolution, i:
 
 /// Finds the guides of the data's own triangles. Points without a guide, and all points of a
 /// subcurve that is not plane, fall back.
-fn find_guides(sub: &Subcurve<'_>, solution: &mut CompositeSolution, results: &mut [PointResult]) -> Result<()> {
+fn find_guide_directions(
+    sub: &Subcurve<'_>,
+    solution: &mut CompositeSolution,
+    results: &mut [PointResult],
+) -> Result<()> {
     alloc::reset(&mut solution.guides, sub.len(), DVec3::ZERO)?;
     let normal = subcurve_plane_normal(sub);
     for i in sub.section_indices() {

@@ -63,7 +63,7 @@ impl Collocation {
     }
 
     /// Returns the indices of the control points that belong to the points between the ends.
-    pub(super) fn inner_range(&self) -> Range<usize> {
+    pub(super) fn inner_control_range(&self) -> Range<usize> {
         let first = 1 + usize::from(self.tangents[0]);
         first..first + self.inner_point_count()
     }
@@ -106,7 +106,7 @@ impl Collocation {
 
     /// Finds the guides of the points between the ends. If the method lacks a guide, the bisector
     /// replaces it.
-    pub(super) fn find_guides(&mut self, sub: &Subcurve<'_>, results: &mut [PointResult], normal: DVec3) {
+    pub(super) fn find_guide_directions(&mut self, sub: &Subcurve<'_>, results: &mut [PointResult], normal: DVec3) {
         for (i, result) in results.iter_mut().enumerate().take(self.inner_point_count() + 1).skip(1) {
             let [a, p, c] = sub.point_and_neighbours(i);
             let found = guide_direction(sub.options.method, a - p, c - p, normal).or_else(|status| {
@@ -119,13 +119,13 @@ impl Collocation {
 
     /// Puts the control points on their points, where the paper starts.
     pub(super) fn set_controls_to_points(&mut self) {
-        let (inner_range, inner) = (self.inner_range(), self.inner_point_count());
+        let (inner_range, inner) = (self.inner_control_range(), self.inner_point_count());
         self.controls[inner_range].copy_from_slice(&self.points[1..=inner]);
     }
 
     /// Solves the linear equations for the current parameters.
     pub(super) fn solve_linear_equations(&mut self) -> Result<()> {
-        let (inner, inner_range) = (self.inner_point_count(), self.inner_range());
+        let (inner, inner_range) = (self.inner_point_count(), self.inner_control_range());
         self.controls[inner_range.clone()].fill(DVec3::ZERO);
         self.matrix.resize(inner)?;
         for i in 1..=inner {
@@ -153,7 +153,7 @@ impl Collocation {
 
     /// Returns the largest distance of a control point from its point.
     pub(super) fn max_control_distance(&self) -> f64 {
-        let pairs = self.controls[self.inner_range()].iter().zip(&self.points[1..]);
+        let pairs = self.controls[self.inner_control_range()].iter().zip(&self.points[1..]);
         pairs.map(|(control, &p)| control.distance(p)).fold(0.0, f64::max).min(1e300)
     }
 

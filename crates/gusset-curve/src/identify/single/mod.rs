@@ -12,7 +12,7 @@
 //! Source: Nadopta. O(n^3) time and O(n^2) memory for n points, at most 65.
 
 mod collocation;
-mod guided;
+mod guided_solver;
 
 use super::composite::{self, CompositeWorkspace};
 use super::guide::subcurve_plane_normal;
@@ -28,7 +28,7 @@ use gusset_base::error::Result;
 
 /// The distance of a control point from its point, in sizes of the outline, that indicates nearly
 /// singular equations.
-const MAX_CONTROL_DISTANCE: f64 = 2.0;
+const MAX_CONTROL_TO_POINT_DISTANCE: f64 = 2.0;
 
 /// The distance from the curve, in sizes, at which rounding has made it miss a point.
 const MAX_ROUNDING_MISS: f64 = 1e-14;
@@ -78,7 +78,7 @@ fn solve_single_curve(
     collocation.place_end_controls(tangents);
     let mut solved = false;
     if let Some(normal) = normal {
-        collocation.find_guides(sub, out.results, normal);
+        collocation.find_guide_directions(sub, out.results, normal);
         solved = collocation.solve_on_guides(sub, normal, out)?;
         if !solved {
             out.report.status = FitStatus::NotConverged;
@@ -90,7 +90,7 @@ fn solve_single_curve(
     if !solved {
         collocation.solve_for_parameters(sub, out)?;
     }
-    if collocation.max_control_distance() > MAX_CONTROL_DISTANCE * sub.size {
+    if collocation.max_control_distance() > MAX_CONTROL_TO_POINT_DISTANCE * sub.size {
         out.report.status = FitStatus::IllConditioned;
     }
     let miss = collocation.max_and_squared_residual().0;

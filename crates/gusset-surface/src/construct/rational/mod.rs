@@ -1,15 +1,15 @@
 //! Converts rational splines to polynomial patches of degree 7 in the same parameters.
 //!
 //! The spans of the spline are cut, whole rows and columns at a time, until the piece of every cell
-//! is within the tolerance. [`fit`] computes the pieces. [`bound`] proves their distance for all
-//! parameters. The bound includes the rounding of the cells' control points, of the bound itself,
-//! and of the result. Errors decrease with the eighth power of the size of cells.
+//! is within the tolerance. [`piece_fit`] computes the pieces. [`difference_bound`] proves their
+//! distance for all parameters. The bound includes the rounding of the cells' control points, of
+//! the bound itself, and of the result. Errors decrease with the eighth power of the size of cells.
 
-mod bound;
-mod fit;
+mod difference_bound;
+mod piece_fit;
 
-use self::bound::HomogeneousDifference;
-use self::fit::{ExactBorderPoints, FitFactors};
+use self::difference_bound::HomogeneousDifference;
+use self::piece_fit::{ExactBorderPoints, FitFactors};
 use super::spline::{PieceNet, Spline, SplineInterval, SplineOptions, SplinePiece, knots_at_cell_borders};
 use crate::patches::SplineOrigin;
 use crate::{Patch, Patches};
@@ -41,7 +41,7 @@ const MAX_PARTS_PER_INTERVAL: f64 = 16.0;
 const CELLS_PER_TASK: usize = 64;
 /// Number of cells copied between two progress reports, 1.5 KB each.
 const CELLS_PER_REPORT: usize = 1 << 12;
-const FIT_STAGE: &str = "fitting patches";
+const PROGRESS_STAGE: &str = "fitting patches";
 
 /// Whether the spline has weights that differ.
 ///
@@ -119,7 +119,7 @@ pub(super) fn fit_patches(
         };
         let (mut now, mut new) = (alloc::with_capacity(counts[0] * counts[1])?, Vec::new());
         for i in 0..counts[0] {
-            part.step(0.0, FIT_STAGE)?;
+            part.step(0.0, PROGRESS_STAGE)?;
             for j in 0..counts[1] {
                 let next = tasks.len() * CELLS_PER_TASK + new.len();
                 let cell = known(i, j).unwrap_or(next);
@@ -129,7 +129,7 @@ pub(super) fn fit_patches(
                 }
             }
         }
-        let made = par::map_cancellable(&part, FIT_STAGE, new.chunks(CELLS_PER_TASK), |some| {
+        let made = par::map_cancellable(&part, PROGRESS_STAGE, new.chunks(CELLS_PER_TASK), |some| {
             alloc::collect(some.iter().map(|&[i, j]| rational.fit_cell(&u[i], &v[j])))
         })?;
         alloc::reserve(&mut tasks, made.len())?;
@@ -155,7 +155,7 @@ pub(super) fn fit_patches(
     let mut patches = alloc::with_capacity(grid.len())?;
     let mut deviation = 0.0_f64;
     for (k, &cell) in grid.iter().enumerate() {
-        job.part(1.0, 1.0).step_every(CELLS_PER_REPORT, k, grid.len(), FIT_STAGE)?;
+        job.part(1.0, 1.0).step_every(CELLS_PER_REPORT, k, grid.len(), PROGRESS_STAGE)?;
         let cell = cell_by_index(&tasks, cell);
         deviation = deviation.max(cell.bound);
         patches.push(cell.patch);

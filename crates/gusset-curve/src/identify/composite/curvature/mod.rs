@@ -1,8 +1,8 @@
 //! Continuous curvature: cubic sections, joined G2.
 //!
 //! Section i is the cubic in the triangle (J_(i-1), B_i, J_i) with the handles lambda_i and mu_i,
-//! see [`equations`]. With E_i = |(B_i - B_(i-1)) x (B_(i+1) - B_i)| and L_i = |B_(i+1) - B_i| it
-//! has at its ends the curvatures
+//! see [`control_equations`]. With E_i = |(B_i - B_(i-1)) x (B_(i+1) - B_i)| and
+//! L_i = |B_(i+1) - B_i| it has at its ends the curvatures
 //!
 //! 2/3 (1 - mu_i) beta_i E_i / (lambda_i^2 (1 - beta_(i-1))^2 L_(i-1)^3) and
 //!
@@ -26,32 +26,32 @@
 //! cubics by tangents and curvatures; Yan, Schiller, Wilensky, Carr and Schaefer, k-Curves, 2017,
 //! for quadratics with continuous curvature.
 
-mod newton;
-mod system;
+mod curvature_newton;
+mod curvature_system;
 
-use super::equations;
+use super::control_equations;
 use super::knot_joints::solve_with_fallback;
 use super::lock::LockWorkspace;
+use crate::identify::composite_solution::CompositeSolution;
 use crate::identify::guide::subcurve_plane_normal;
 use crate::identify::identify_options::Lock;
 use crate::identify::report::{FitStatus, PointStatus};
-use crate::identify::solution::CompositeSolution;
 use crate::identify::subcurve::{Subcurve, SubcurveOutput};
+use curvature_newton::{LeastNormNewton, POINTS_PER_REPORT, PROGRESS_STAGE};
+use curvature_system::{
+    EQUATIONS_PER_POINT, GivenPointQuantities, LockEquation, PointUnknowns, evaluate_equations, legs_at_control_point,
+};
 use glam::DVec3;
 use gusset_base::alloc;
 use gusset_base::error::Result;
 use gusset_base::job::Job;
-use newton::{LeastNormNewton, POINTS_PER_REPORT, STAGE};
 use std::ops::Range;
-use system::{
-    EQUATIONS_PER_POINT, GivenQuantities, LockEquation, PointUnknowns, evaluate_equations, legs_at_control_point,
-};
 
 /// The handles of a quadratic.
 const QUADRATIC_HANDLES: [f64; 2] = [2.0 / 3.0; 2];
 
 /// The number of iterations after which the worst equations are given up.
-const ITERATIONS_PER_ROUND: u32 = 12;
+const MAX_ITERATIONS_PER_ROUND: u32 = 12;
 
 /// The relative rounding error of E_i above which a section always counts as straight.
 const MAX_RELATIVE_AREA_ERROR: f64 = 1e-2;
@@ -85,7 +85,7 @@ const MAX_PLANE_SINE: f64 = 1e-7;
 #[derive(Default)]
 pub(super) struct CurvatureJoints {
     nodes: Vec<PointUnknowns>,
-    known: Vec<GivenQuantities>,
+    known: Vec<GivenPointQuantities>,
     values: Vec<[f64; EQUATIONS_PER_POINT]>,
     /// Joints with zero curvature, and those among them whose equations were given up.
     flat: Vec<bool>,
@@ -102,7 +102,7 @@ pub(super) fn solve_with_continuous_curvature(
     joints: &mut CurvatureJoints,
     out: &mut SubcurveOutput<'_>,
 ) -> Result<()> {
-    workspace.solution.reset_joints(sub.len())?;
+    workspace.solution.reset_joint_parameters(sub.len())?;
     let locked = solve_with_fallback(sub, workspace, out)?;
     let solution = &mut workspace.solution;
     if inner_joints(sub).is_empty() {
@@ -159,7 +159,7 @@ impl CurvatureJoints {
             };
             let [a, p, c] = sub.point_and_neighbours(i);
             let spacing = if inner { 0.5 * (a.distance(p) + p.distance(c)) } else { sub.size };
-            GivenQuantities {
+            GivenPointQuantities {
                 lock_equation,
                 spacing,
                 normal: DVec3::ZERO,
@@ -182,7 +182,7 @@ impl CurvatureJoints {
     fn find_inflections(&mut self, sub: &Subcurve<'_>, solution: &mut CompositeSolution) {
         for _ in 0..MAX_INFLECTION_ROUNDS {
             self.find_turn_normals(sub);
-            if !self.flatten_inflections(sub) {
+            if !self.set_inflections_to_zero_curvature(sub) {
                 break;
             }
             self.solve_control_points_again(sub, solution);
@@ -192,12 +192,14 @@ impl CurvatureJoints {
 
     /// Sets the curvature to 0 at joints followed by an inflection or a straight part of
     /// the current polygon. Returns false if there are none left.
-    fn flatten_inflections(&mut self, sub: &Subcurve<'_>) -> bool {
+    fn set_inflections_to_zero_curvature(&mut self, sub: &Subcurve<'_>) -> bool {
         let mut any = false;
         for i in inner_joints(sub) {
-            let next = sub.next(i);
+            let next = sub.next_index(i);
             let turns = self.known[i].normal.dot(self.known[next].normal) > 0.0;
-            if !self.flat[i] && (!turns || self.is_straight(sub, i) || self.is_straight(sub, next)) {
+            if !self.flat[i]
+                && (!turns || self.is_polygon_straight_at(sub, i) || self.is_polygon_straight_at(sub, next))
+            {
                 self.set_curvature_to_zero(sub, i);
                 any = true;
             }
@@ -206,7 +208,7 @@ impl CurvatureJoints {
     }
 
     /// Returns true if the polygon is straight at control point `i`, up to rounding.
-    fn is_straight(&self, sub: &Subcurve<'_>, i: usize) -> bool {
+    fn is_polygon_straight_at(&self, sub: &Subcurve<'_>, i: usize) -> bool {
         let [before, after] = legs_at_control_point(sub, &self.nodes, i);
         let lengths = before.length() * after.length() * (before + after).length();
         let faint = 2.0 * before.cross(after).length() * sub.size < MIN_SIGNIFICANT_CURVATURE * lengths;
@@ -218,7 +220,7 @@ impl CurvatureJoints {
     fn set_curvature_to_zero(&mut self, sub: &Subcurve<'_>, joint: usize) {
         self.flat[joint] = true;
         self.nodes[joint].handles[0] = 1.0;
-        self.nodes[sub.next(joint)].handles[1] = 1.0;
+        self.nodes[sub.next_index(joint)].handles[1] = 1.0;
     }
 
     /// Sets the curvature at all joints to 0, with middle joints and the parameters of the data.
@@ -253,7 +255,7 @@ impl CurvatureJoints {
         let curved = |joint: usize| joints.contains(&joint) && !self.flat[joint];
         for (i, known) in self.known.iter_mut().enumerate() {
             let behind = curved(i);
-            let beside = behind || ((sub.closed || i > 0) && curved(sub.previous(i)));
+            let beside = behind || ((sub.closed || i > 0) && curved(sub.previous_index(i)));
             let [lambda, mu] = self.nodes[i].handles.map(|handle| beside && handle < 1.0);
             (known.curved, known.free) = (behind, [behind, lambda, mu]);
         }
@@ -265,7 +267,7 @@ impl CurvatureJoints {
         for (i, node) in self.nodes.iter().enumerate() {
             (solution.t[i], solution.beta[i], solution.handles[i]) = (node.t, node.beta, node.handles);
         }
-        let regular = equations::solve_control_points(sub, solution);
+        let regular = control_equations::solve_control_points(sub, solution);
         self.nodes.iter_mut().zip(&solution.controls).for_each(|(node, &control)| node.control = control);
         regular
     }
@@ -274,8 +276,8 @@ impl CurvatureJoints {
     fn passes_all_points(&self, sub: &Subcurve<'_>, solution: &CompositeSolution) -> bool {
         sub.section_indices().all(|i| {
             let corners =
-                [solution.joint_point(sub, sub.previous(i)), solution.controls[i], solution.joint_point(sub, i)];
-            let shares = equations::cubic_section_weights(solution.t[i], solution.handles[i]);
+                [solution.joint_point(sub, sub.previous_index(i)), solution.controls[i], solution.joint_point(sub, i)];
+            let shares = control_equations::cubic_section_weights(solution.t[i], solution.handles[i]);
             let at: DVec3 = corners.iter().zip(shares).map(|(&corner, share)| (corner - sub.points[i]) * share).sum();
             at.length() <= MAX_POINT_MISS_DISTANCE * sub.size
         })
@@ -293,7 +295,7 @@ impl CurvatureJoints {
             if out.report.iterations >= sub.options.max_sweeps {
                 break;
             }
-            if in_round == ITERATIONS_PER_ROUND {
+            if in_round == MAX_ITERATIONS_PER_ROUND {
                 in_round = 0;
                 self.give_up_worst_equations(sub, solution, out);
             }
@@ -308,12 +310,12 @@ impl CurvatureJoints {
     /// Evaluates all equations. Returns true if they hold.
     fn evaluate_equations(&mut self, sub: &Subcurve<'_>, job: &Job<'_>) -> Result<bool> {
         self.find_turn_normals(sub);
-        if self.flatten_inflections(sub) {
+        if self.set_inflections_to_zero_curvature(sub) {
             self.choose_unknowns(sub);
         }
         let (mut all, n) = (true, self.nodes.len());
         for i in 0..n {
-            job.step_every(POINTS_PER_REPORT, i, n, STAGE)?;
+            job.step_every(POINTS_PER_REPORT, i, n, PROGRESS_STAGE)?;
             self.values[i] = evaluate_equations(sub, &self.known, &self.nodes, i);
             all &= self.residuals_in_tolerances(sub, i).iter().all(|&rest| rest <= 1.0);
         }
@@ -329,7 +331,7 @@ impl CurvatureJoints {
         let miss = DVec3::new(values[0], values[1], values[2]).length();
         let mut gap = 0.0;
         if known.curved {
-            let next = sub.next(i);
+            let next = sub.next_index(i);
             let areas = triangle_area_error(sub, &self.nodes, i) + triangle_area_error(sub, &self.nodes, next);
             let handles = 1.0 / (1.0 - self.nodes[i].handles[0]) + 1.0 / (1.0 - self.nodes[next].handles[1]);
             gap = values[4].abs() / sub.options.tolerance.max(32.0 * (areas + f64::EPSILON * handles));
@@ -364,7 +366,7 @@ impl CurvatureJoints {
                 out.results[i].flag_status(PointStatus::FellBack);
                 continue;
             }
-            for joint in [sub.previous(i), i] {
+            for joint in [sub.previous_index(i), i] {
                 if self.known[joint].curved && !self.flat[joint] && (joint == i || !self.known[i].curved) {
                     self.set_curvature_to_zero(sub, joint);
                     self.given_up[joint] = true;
@@ -377,7 +379,7 @@ impl CurvatureJoints {
     /// Sets the statuses of the points next to joints that differ from the requested ones.
     fn set_point_statuses(&self, sub: &Subcurve<'_>, out: &mut SubcurveOutput<'_>) {
         for i in 0..self.nodes.len() {
-            let next = sub.next(i);
+            let next = sub.next_index(i);
             let [_, lock, gap] = self.residuals_in_tolerances(sub, i);
             if lock > MAX_RESIDUAL_IN_TOLERANCES || gap > MAX_RESIDUAL_IN_TOLERANCES {
                 out.report.status = FitStatus::NotConverged;
