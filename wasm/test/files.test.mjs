@@ -5,7 +5,7 @@ import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { Curves, FileError, GussetError, load, loadFiles, Mesh, OutOfMemory, read, Stopped, write } from "../gusset.js";
 import { structs } from "../tables.js";
-import { BINARY_STL, BUFFER, binaryStl, bytes, FOLDER, GLTF, MTL, mutated, OBJ, OFF, PLY, randomNumbers, SAMPLES, TEXT_STL, XYZ } from "./samples.mjs";
+import { BINARY_STL, BUFFER, binaryStl, bytes, DXF, FOLDER, GLTF, MTL, mutated, OBJ, OFF, PLY, randomNumbers, SAMPLES, SVG, TEXT_STL, XYZ } from "./samples.mjs";
 
 const file = new URL("../gusset_files.wasm", import.meta.url);
 const NO_MATERIAL = 0xffffffff;
@@ -60,7 +60,6 @@ test("the package has the module", async () => {
   for (const name of ["files.js", "documents.js", "loading.js", "gusset_files.wasm"]) {
     assert.ok(manifest.files.includes(name), name);
   }
-  assert.ok((await readFile(new URL("../files.js", import.meta.url), "utf8")).includes('new URL("gusset_files.wasm", import.meta.url)'));
   const { exports } = await WebAssembly.instantiate(await WebAssembly.compile(await readFile(file)), {});
   const view = new DataView(exports.memory.buffer), table = exports.gusset_files_entry(1);
   assert.equal(view.getUint32(table, true), structs.gusset_files.size);
@@ -111,6 +110,12 @@ test("OFF files have polygons, and XYZ files points", () => {
   const { meshes: [mesh] } = files.read("a.off", OFF), { points, meshes } = files.read("a.xyz", XYZ);
   assert.deepEqual([mesh.faceCount, mesh.faces.corners.length], [4, 16]);
   assert.deepEqual([[...points.positions], points.normals, points.colours, meshes.length], [[0, 0, 0, 1, 2, 3, -1.5, 0.25, 1000], null, null, 0]);
+});
+
+test("SVG and DXF files have curves", () => {
+  const { curves: outline, meshes } = files.read("a.svg", SVG), { curves: line } = files.read("a.dxf", DXF);
+  assert.deepEqual([meshes.length, outline.length, [...outline.closed], outline.points.length], [0, 1, [1], 9]);
+  assert.deepEqual([line.length, [...line.closed], [...line.points]], [1, [0], [0, 0, 0, 1, 2, 3]]);
 });
 
 test("scenes are joined, or kept", () => {
