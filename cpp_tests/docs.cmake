@@ -56,6 +56,8 @@ find_program(NODE node)
 if(NODE AND EXISTS ${root}/wasm/gusset.wasm)
   add_test(NAME guides/wasm COMMAND ${NODE} ${root}/examples/wasm/first.mjs)
   set_tests_properties(guides/wasm PROPERTIES PASS_REGULAR_EXPRESSION "index_out_of_range")
+  add_test(NAME guides/wasm_files COMMAND ${NODE} ${root}/examples/wasm/files.mjs)
+  set_tests_properties(guides/wasm_files PROPERTIES PASS_REGULAR_EXPRESSION "bad_file broken.obj:2:")
 endif()
 
 # The commands of the guides: by hand, and as a project of a reader's.

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# make wasm: builds the package wasm/ with gusset.wasm, checks its generated files against wasm/generate.mjs, and runs
-# its tests under node beside the native library. Arguments: the installation of the native library; "build" to stop
-# after building.
+# make wasm: builds the package wasm/ with gusset.wasm and gusset_files.wasm, checks its generated files against
+# wasm/generate.mjs, and runs its tests under node beside the native library. Arguments: the installation of the native
+# library; "build" to stop after building.
 #
 # The compiler is cargo's own if it has the target wasm32-unknown-unknown (rustup target add). Otherwise it is
 # Debian's compiler for browsers, which has the sources of the standard library. It is unpacked into build/wasm,
@@ -43,16 +43,21 @@ else
   remapped="--remap-path-prefix=$toolchain=/rust"
 fi
 
-# Separate folders, because this compiler may differ from the compiler of target. Strips the names of functions, a
-# third of the file.
-CARGO_PROFILE_RELEASE_STRIP=true "$cargo" rustc --locked -p gusset --lib --crate-type cdylib --features reserve --release --target "$target" \
-  --target-dir "$out/target" "${flags[@]}" \
-  --config "build.rustflags=[\"$remapped\", \"--remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=/cargo\", \"--remap-path-prefix=$PWD=/gusset\"]"
-# A running test keeps reading the old file.
-install -m 644 "$out/target/$target/release/gusset.wasm" wasm/gusset.wasm
+# Builds a package as a module, and installs it. Further arguments go to cargo. A separate folder, because this compiler
+# may differ from the compiler of target. Strips the names of functions, a third of the file.
+build() {
+  CARGO_PROFILE_RELEASE_STRIP=true "$cargo" rustc --locked -p "$1" --lib --crate-type cdylib --release --target "$target" \
+    --target-dir "$out/target" "${flags[@]}" "${@:2}" \
+    --config "build.rustflags=[\"$remapped\", \"--remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=/cargo\", \"--remap-path-prefix=$PWD=/gusset\"]"
+  local file=${1//-/_}.wasm
+  # A running test keeps reading the old file.
+  install -m 644 "$out/target/$target/release/$file" "wasm/$file"
+  echo "gusset: wasm/$file has $(stat -c %s "wasm/$file") bytes, $(gzip -9 -c "wasm/$file" | wc -c) compressed by gzip"
+}
+build gusset --features reserve
+build gusset-files
 install -m 644 LICENSE-* wasm
 unset LD_LIBRARY_PATH
-echo "gusset: wasm/gusset.wasm has $(stat -c %s wasm/gusset.wasm) bytes, $(gzip -9 -c wasm/gusset.wasm | wc -c) compressed by gzip"
 [ "$until" = build ] && exit 0
 
 command -v node >/dev/null || scripts/install-packages.sh nodejs
@@ -63,5 +68,6 @@ fi
 node wasm/generate.mjs tables --check
 node wasm/generate.mjs types --check
 ${CC:-cc} -O1 -Wall -Wextra -Werror -std=c11 -D_POSIX_C_SOURCE=199309L -I "$stage/include" wasm/test/native.c -o "$out/native" -L "$stage/lib" -lgusset -Wl,-rpath,"$stage/lib"
-GUSSET_NATIVE=$out/native node --test wasm/test/bytes.test.mjs wasm/test/calls.test.mjs
+GUSSET_NATIVE=$out/native node --test wasm/test/bytes.test.mjs wasm/test/calls.test.mjs wasm/test/files.test.mjs
 node examples/wasm/first.mjs
+node examples/wasm/files.mjs

@@ -188,9 +188,11 @@ test("after a trap nothing is called any more", async () => {
 });
 
 test("bundlers find what they must bring along, and nothing of node's", async () => {
-  const text = await readFile(new URL("../gusset.js", import.meta.url), "utf8");
-  assert.ok(text.includes('new URL("gusset.wasm", import.meta.url)'));
-  assert.ok(!/(import\(|from )"node:/.test(text));
+  for (const [name, module] of [["gusset.js", "gusset.wasm"], ["files.js", "gusset_files.wasm"], ["loading.js", null]]) {
+    const text = await readFile(new URL(`../${name}`, import.meta.url), "utf8");
+    assert.ok(module === null || text.includes(`new URL("${module}", import.meta.url)`), name);
+    assert.ok(!/(import\(|from )"node:/.test(text), name);
+  }
 });
 
 test("it is loaded from bytes, a module and a response", async () => {

@@ -5,7 +5,7 @@ import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { Curves, FileError, GussetError, load, loadFiles, Mesh, OutOfMemory, read, Stopped, write } from "../gusset.js";
 import { structs } from "../tables.js";
-import { BINARY_STL, BUFFER, binaryStl, bytes, FOLDER, GLTF, MTL, mutated, OBJ, OFF, PLY, randomNumbers, SAMPLES, TEXT_STL, XYZ } from "./samples.mjs";
+import { BINARY_STL, BUFFER, binaryStl, bytes, DXF, FOLDER, GLTF, MTL, mutated, OBJ, OFF, PLY, randomNumbers, SAMPLES, SVG, TEXT_STL, XYZ } from "./samples.mjs";
 
 const file = new URL("../gusset_files.wasm", import.meta.url);
 const NO_MATERIAL = 0xffffffff;
@@ -26,8 +26,11 @@ function volume({ positions, faces: { offsets, corners } }) {
 await test("the module is loaded by the first call, and anew after a trap", async () => {
   const { instantiate } = WebAssembly, instances = [];
   WebAssembly.instantiate = async (...given) => {
-    instances.push(await instantiate(...given));
-    return instances.at(-1);
+    const made = await instantiate(...given);
+    if (made.exports.gusset_files_entry) {
+      instances.push(made);
+    }
+    return made;
   };
   try {
     await Promise.all([read("a.stl", TEXT_STL), read("b.stl", BINARY_STL)]);
@@ -57,7 +60,6 @@ test("the package has the module", async () => {
   for (const name of ["files.js", "documents.js", "loading.js", "gusset_files.wasm"]) {
     assert.ok(manifest.files.includes(name), name);
   }
-  assert.ok((await readFile(new URL("../files.js", import.meta.url), "utf8")).includes('new URL("gusset_files.wasm", import.meta.url)'));
   const { exports } = await WebAssembly.instantiate(await WebAssembly.compile(await readFile(file)), {});
   const view = new DataView(exports.memory.buffer), table = exports.gusset_files_entry(1);
   assert.equal(view.getUint32(table, true), structs.gusset_files.size);
@@ -78,7 +80,7 @@ test("STL files are closed meshes, which filters take as they are", async () => 
     assert.ok(mesh instanceof Mesh && mesh.positions instanceof (content === TEXT_STL ? Float64Array : mesh.positions.constructor));
     assert.deepEqual([mesh.vertexCount, mesh.faceCount, placements.length, curves, points], [4, 4, 1, null, null]);
     assert.ok(Math.abs(volume(mesh) - 1 / 6) < 1e-7);
-    assert.equal(filters.boundary_loops(mesh).length, 0);
+    assert.equal(filters.boundary_loops(mesh)[0].length, 0);
     assert.equal(filters.check(mesh).values.vertices, 4);
   }
 });
@@ -108,6 +110,12 @@ test("OFF files have polygons, and XYZ files points", () => {
   const { meshes: [mesh] } = files.read("a.off", OFF), { points, meshes } = files.read("a.xyz", XYZ);
   assert.deepEqual([mesh.faceCount, mesh.faces.corners.length], [4, 16]);
   assert.deepEqual([[...points.positions], points.normals, points.colours, meshes.length], [[0, 0, 0, 1, 2, 3, -1.5, 0.25, 1000], null, null, 0]);
+});
+
+test("SVG and DXF files have curves", () => {
+  const { curves: outline, meshes } = files.read("a.svg", SVG), { curves: line } = files.read("a.dxf", DXF);
+  assert.deepEqual([meshes.length, outline.length, [...outline.closed], outline.points.length], [0, 1, [1], 9]);
+  assert.deepEqual([line.length, [...line.closed], [...line.points]], [1, [0], [0, 0, 0, 1, 2, 3]]);
 });
 
 test("scenes are joined, or kept", () => {
@@ -155,6 +163,8 @@ test("exceptions of a folder are passed on", () => {
   assert.equal(files.read("a.obj", OBJ, { folder: FOLDER }).materials.length, 1);
 });
 
+/** The start of an image. */
+const PNG = Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 1, 2, 3);
 /** A mesh with each attribute. */
 const RICH = {
   name: "rich \u{1f600}", positions: Float64Array.of(0.1, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5, 0.5, 1 / 3), faces: [[0, 1, 2, 3], [0, 4, 1]],
@@ -164,7 +174,7 @@ const RICH = {
   properties: [{ name: "quality", kind: "f32", values: [1, 2, 3, 4, 0.5] }, { name: "part", domain: "faces", kind: "u8", values: [7, 9] }],
 };
 const DOCUMENT = {
-  meshes: [RICH], materials: [{ name: "red", colour: Float32Array.of(1, 0, 0, 1), image: 0 }], images: [{ name: "dot", mediaType: "image/png", bytes: Uint8Array.of(1, 2, 3) }],
+  meshes: [RICH], materials: [{ name: "red", colour: Float32Array.of(1, 0, 0, 1), image: 0 }], images: [{ name: "dot", mediaType: "image/png", bytes: PNG }],
 };
 
 test("what a format holds comes back", () => {
@@ -181,7 +191,7 @@ test("what a format holds comes back", () => {
   assert.deepEqual([...obj.meshes[0].positions], [...RICH.positions]);
   assert.deepEqual([obj.meshes[0].normals.domain, obj.materials[0].name, [...obj.meshes[0].faceMaterials]], ["corners", "red", [0, NO_MATERIAL]]);
   const glb = kept("a.glb");
-  assert.deepEqual([glb.meshes[0].name, glb.meshes[0].faceCount, [...glb.images[0].bytes], glb.images[0].mediaType], ["rich \u{1f600}", 2, [1, 2, 3], "image/png"]);
+  assert.deepEqual([glb.meshes[0].name, glb.meshes[0].faceCount, [...glb.images[0].bytes], glb.images[0].mediaType], ["rich \u{1f600}", 2, [...PNG], "image/png"]);
   assert.equal(kept("a.3mf").meshes[0].vertexCount, 5);
   assert.equal(kept("a.off").meshes[0].faceCount, 2);
   const text = kept("a.stl", { text: true });
@@ -203,7 +213,7 @@ test("meshes, curves and points are written as they are", () => {
   }
   const far = { positions: Float64Array.of(1e9, 0, 0, 1e9 + 0.1, 0, 0, 1e9, 0.1, 0), faces: [0, 1, 2] };
   assert.throws(() => files.write("a.stl", far), (error) => error instanceof FileError && /permit the loss/.test(error.message));
-  assert.equal(files.write("a.stl", far, { lossy: true }).losses.length, 1);
+  assert.ok(files.write("a.stl", far, { lossy: true }).losses.some((loss) => /rounded/.test(loss)));
 });
 
 test("failures name the file and the line or element", () => {
@@ -224,7 +234,7 @@ test("failures name the file and the line or element", () => {
   assert.match(message(() => files.write("a.ply", { meshes: [{ ...RICH, texcoords: { values: [0, 0] } }] })), /texture coordinates have 1 entries/);
   assert.match(message(() => files.write("a.ply", { meshes: [RICH] })), /material 0 does not exist/);
   assert.match(message(() => files.write("a.ply", { ...DOCUMENT, placements: [{ mesh: 3, transform: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0] }] })), /mesh 3 does not exist/);
-  assert.match(message(() => files.write("a.stl", { points: { positions: [0, 0, 0] } })), /^a\.stl: /);
+  assert.match(message(() => files.write("a.conf", { positions: [0, 0, 0], faces: [] })), /^a\.conf: /);
 });
 
 test("mistakes in arguments are refused before the call", () => {

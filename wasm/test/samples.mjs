@@ -84,11 +84,18 @@ export const BUFFER = new Uint8Array(Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0).
 
 export const XYZ = bytes("0 0 0\n1 2 3\n-1.5 0.25 1e3\n");
 
+export const SVG = bytes('<svg xmlns="http://www.w3.org/2000/svg"><path d="M 0 0 L 1 0 L 1 1 Z"/></svg>');
+
+/** One line. */
+export const DXF = bytes(["0", "SECTION", "2", "ENTITIES", "0", "LINE", "8", "0", "10", "0", "20", "0", "30", "0", "11", "1", "21", "2", "31", "3", "0", "ENDSEC", "0", "EOF", ""].join("\n"));
+
 /** Files beside the samples. */
 export const FOLDER = { "a.mtl": MTL, "a.bin": BUFFER };
 
 /** Samples by their names. */
-export const SAMPLES = { "text.stl": TEXT_STL, "binary.stl": BINARY_STL, "a.obj": OBJ, "a.ply": PLY, "a.off": OFF, "a.gltf": GLTF, "a.xyz": XYZ, "a.csv": bytes("x,y,z\n0,0,0\n1,2,3\n") };
+export const SAMPLES = {
+  "text.stl": TEXT_STL, "binary.stl": BINARY_STL, "a.obj": OBJ, "a.ply": PLY, "a.off": OFF, "a.gltf": GLTF, "a.xyz": XYZ, "a.csv": bytes("x,y,z\n0,0,0\n1,2,3\n"), "a.svg": SVG, "a.dxf": DXF,
+};
 
 /** A generator of whole numbers below a bound; the same sequence for each seed. */
 export function randomNumbers(seed) {

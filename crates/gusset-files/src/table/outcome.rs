@@ -1,12 +1,14 @@
 //! Results: The parts of a file that was read or written.
 
 use super::descriptor::*;
+use crate::byte_sink::ByteSink;
 use crate::folder::{Folder, given_bytes};
 use gusset_io::packed::{Packed, pack, unpack};
 use gusset_io::{
     Document, Format, Loss, ReadError, ReadErrorKind, ReadOptions, Target, WriteError, WriteErrorKind, WriteOptions,
 };
 use std::ffi::{CStr, CString, c_char};
+use std::io::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::ptr;
 
@@ -149,9 +151,11 @@ fn written(name: &str, document: &Document, folder: &Folder, flags: u32) -> Resu
         lossy: flags & GUSSET_FILES_LOSSY != 0,
         ..WriteOptions::default()
     };
-    let (mut main, mut beside) = (Vec::new(), Parts::new());
+    let (mut main, mut beside) = (ByteSink::default(), Parts::new());
     let mut add = |name: &str, bytes: &[u8]| {
-        beside.push((CString::new(name).unwrap_or_default(), bytes.to_vec()));
+        let mut file = ByteSink::default();
+        file.write_all(bytes)?;
+        beside.push((CString::new(name).unwrap_or_default(), file.bytes));
         Ok(())
     };
     let stem = name.rsplit('/').next().and_then(|name| name.rsplit_once('.')).map_or("mesh", |(stem, _)| stem);
@@ -159,7 +163,7 @@ fn written(name: &str, document: &Document, folder: &Folder, flags: u32) -> Resu
     let losses = gusset_io::write(document, format, &mut target, &options)?;
     let losses: Vec<String> = losses.into_iter().map(|Loss(what)| what).collect();
     let losses = serde_json::json!(losses).to_string().into_bytes();
-    Ok([(c"losses".into(), losses), (c"file".into(), main)].into_iter().chain(beside).collect())
+    Ok([(c"losses".into(), losses), (c"file".into(), main.bytes)].into_iter().chain(beside).collect())
 }
 
 unsafe fn part<'a>(result: *const gusset_file, which: u32) -> Option<&'a (CString, Vec<u8>)> {

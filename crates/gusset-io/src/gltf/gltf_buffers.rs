@@ -38,7 +38,8 @@ impl Bytes<'_> {
     pub(super) fn part(&self, start: u64, length: u64) -> Self {
         let size = self.len();
         let start = usize::try_from(start).map_or(size, |start| start.min(size));
-        let length = usize::try_from(length).map_or(size, |length| length.min(size - start));
+        let rest = size - start;
+        let length = usize::try_from(length).map_or(rest, |length| length.min(rest));
         match self {
             Self::Borrowed(bytes) => Self::Borrowed(&bytes[start..start + length]),
             Self::Shared(bytes, range) => {

@@ -1,0 +1,24 @@
+//! A file in memory, as it is written.
+
+use std::io::{Error, ErrorKind, Result, Write};
+
+/// Bytes of a file. Writing fails if memory runs out.
+#[derive(Default)]
+pub(crate) struct ByteSink {
+    pub(crate) bytes: Vec<u8>,
+}
+
+impl Write for ByteSink {
+    fn write(&mut self, added: &[u8]) -> Result<usize> {
+        // Most growth doubles the memory. Near the end of memory, only the exact size may fit.
+        if self.bytes.try_reserve(added.len()).is_err() {
+            self.bytes.try_reserve_exact(added.len()).map_err(|_| Error::from(ErrorKind::OutOfMemory))?;
+        }
+        self.bytes.extend_from_slice(added);
+        Ok(added.len())
+    }
+
+    fn flush(&mut self) -> Result<()> {
+        Ok(())
+    }
+}
