@@ -53,7 +53,7 @@ pub(crate) fn read_dxf(bytes: &[u8], options: &ReadOptions) -> Result<Document, 
     Ok(Document { curves: join_outlines(&curves)?, points, metres_per_unit, notes, ..document })
 }
 
-/// What the file holds beside outlines.
+/// Content of the file beside outlines.
 struct Findings {
     has_section: bool,
     metres_per_unit: Option<f64>,

@@ -23,7 +23,7 @@ pub(crate) fn read_ply(bytes: &[u8], _: &ReadOptions) -> Result<Document, ReadEr
     content.into_document(&header)
 }
 
-/// What the reader makes of an element.
+/// Role of an element.
 enum Role {
     Vertices(Box<VertexColumns>),
     Faces(Box<FaceColumns>),

@@ -1,6 +1,6 @@
 //! 3MF, the 3D Manufacturing Format: a ZIP package of XML.
 //!
-//! Specification: 3MF Consortium, Core 1.3. Of its extensions, the module reads:
+//! Specification: 3MF Consortium, Core 1.3. The module reads these extensions:
 //! - Materials and Properties: base materials, groups of colours, textures;
 //! - Production: objects in several parts.
 //!
